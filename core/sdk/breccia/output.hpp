@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Plugin kind `output`: writes frames of the running simulation to files.
+#pragma once
+
+#include "breccia/plugin.hpp"
+#include "breccia/services.hpp"
+#include "breccia/views.hpp"
+
+namespace breccia {
+
+class BRECCIA_API Output : public Plugin {
+ public:
+  static constexpr const char* kind = "output";
+  virtual void begin(const std::filesystem::path& directory, Host& host) = 0;
+  /// `fields` are the core's and the post-processors'. A file must appear under its final name only when whole;
+  /// a failed write is a UserError that names the file.
+  virtual void frame(const SimulationView& view, std::span<const Field> fields) = 0;
+  virtual double interval() const = 0;  ///< time between frames [s]; the first and the last state are always written
+  virtual void finish() {}
+};
+
+}  // namespace breccia

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Plugin kind `packing`: makes spheres (or discs) in a container.
+#pragma once
+
+#include "breccia/plugin.hpp"
+#include "breccia/services.hpp"
+#include "breccia/views.hpp"
+
+namespace breccia {
+
+/// One line of the asked/got report; a quantity nobody asked for has no `asked`.
+struct AskedGot {
+  std::string name, unit;
+  std::optional<double> asked;
+  double got = 0;
+};
+
+struct PackingRequest {
+  int dimension = 3;
+  double thickness = 1;       ///< [m], in two dimensions
+  std::uint64_t seed = 1;
+};
+
+struct PackedParticles {
+  std::vector<Vec3> position;   ///< [m]
+  std::vector<double> radius;   ///< [m], as many
+  SpecimenShape::Outline outline = SpecimenShape::Outline::cylinder;
+  Vec3 axis = Vec3::UnitZ();    ///< of the cylinder, or the long direction of the box
+  double container_volume = 0;  ///< asked for [m3]; 0 when nobody did: then the measured shape counts
+  std::vector<AskedGot> report;
+};
+
+class BRECCIA_API Packing : public Plugin {
+ public:
+  static constexpr const char* kind = "packing";
+  /// The same request and configuration must give the same bits for any number of threads.
+  virtual PackedParticles generate(const PackingRequest& request, Host& host) = 0;
+  /// Files the result depends on besides the configuration: they enter the cache key.
+  virtual std::vector<std::filesystem::path> inputs() const { return {}; }
+};
+
+}  // namespace breccia

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// What the host offers to a plugin besides views: log, cancellation, curves and the summary.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "breccia/schema.hpp"
+
+namespace breccia {
+
+class Host {
+ public:
+  virtual void info(std::string_view text) = 0;
+  virtual void warn(std::string_view text) = 0;
+  /// Share done of a long piece of work, 0 to 1.
+  virtual void progress(std::string_view what, double done) = 0;
+  virtual bool cancelled() const = 0;   ///< true once the user pressed Ctrl-C: stop soon, leave things whole
+  virtual int threads() const = 0;
+
+ protected:
+  ~Host() = default;
+};
+
+struct Column {
+  std::string name;   ///< unique, lower case with underscores, without the unit
+  std::string unit;   ///< SI; "1" for a pure number
+  std::string doc;
+};
+
+/// The rows of curves.csv. A plugin adds its columns in `begin` or `setup` and fills them at each sample.
+class Recorder {
+ public:
+  virtual std::size_t add(Column column) = 0;               ///< a name taken twice is the user's error
+  virtual void set(std::size_t column, double value) = 0;   ///< in the row of the current sample
+ protected:
+  ~Recorder() = default;
+};
+
+/// The curves so far.
+class Curves {
+ public:
+  virtual const std::vector<Column>& columns() const = 0;
+  /// All values of a column in order of the samples. UserError with a suggestion when there is no such name.
+  virtual std::span<const double> column(std::string_view name) const = 0;
+  virtual std::size_t rows() const = 0;
+ protected:
+  ~Curves() = default;
+};
+
+/// summary.json. Keys carry their SI unit ("peak_stress_Pa").
+class Summary {
+ public:
+  virtual void headline(const std::string& key, Json value) = 0;  ///< at the top level; each key once
+  virtual void own(const std::string& key, Json value) = 0;       ///< under the plugin's own name
+ protected:
+  ~Summary() = default;
+};
+
+/// A field for the particle or bond files of one frame.
+struct Field {
+  enum class On { particles, bonds };
+  On on = On::particles;
+  std::string name, unit;
+  int components = 1;
+  std::vector<double> values;  ///< components per particle (or bond), interleaved
+};
+
+}  // namespace breccia
