@@ -83,6 +83,7 @@ struct WallContact {
 
 /// Where the boundary work went, since the start of loading [J].
 struct EnergyLedger {
+  double initial = 0;         ///< elastic and kinetic, when loading began
   double boundary_work = 0;   ///< done by walls, prescribed motion and applied forces on the particles
   double elastic = 0;         ///< stored now in pairs and wall contacts
   double kinetic = 0;         ///< now
@@ -91,7 +92,7 @@ struct EnergyLedger {
   double contact = 0;         ///< dissipated otherwise in contacts (viscous, plastic)
   double fracture = 0;        ///< released by breaking bonds
   double accounted() const { return elastic + kinetic + friction + damping + contact + fracture; }
-  double error() const { return boundary_work - accounted(); }
+  double error() const { return initial + boundary_work - accounted(); }
 };
 
 struct SimulationView {

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+
+#include "breccia/error.hpp"
+#include "cli/verbs.hpp"
+
+namespace {
+
+using namespace breccia;
+
+int dispatch(int argc, char** argv) {
+  CLI::App app{"Breccia: bonded-particle mechanics of rock and concrete"};
+  app.set_version_flag("--version", "breccia " BRECCIA_VERSION);
+  app.require_subcommand(1);
+  int code = cli::ok;
+
+  cli::RunArguments run;
+  CLI::App* verb = app.add_subcommand("run", "Run a workflow");
+  verb->add_option("FILE", run.file, "the workflow (YAML)")->required();
+  verb->add_option("--output", run.output, "folder of the results; default: results/<workflow name>");
+  verb->add_flag("--overwrite", run.overwrite, "replace the results of an earlier run in that folder");
+  verb->add_option("--threads", run.threads, "threads; default: all cores. The results do not depend on it")->check(CLI::Range(1, 1024));
+  verb->add_option("--set", run.overrides, "replace a value: path=value, e.g. contact_law.friction=0.3")->expected(1)->take_all();
+  verb->callback([&] { code = cli::run(run); });
+
+  std::vector<std::filesystem::path> files;
+  std::vector<std::string> overrides;
+  verb = app.add_subcommand("validate", "Check workflows without running them");
+  verb->add_option("FILE", files, "workflows")->required();
+  verb->add_option("--set", overrides, "replace a value, as for run")->expected(1)->take_all();
+  verb->callback([&] { code = cli::validate(files, overrides); });
+
+  std::string kind;
+  verb = app.add_subcommand("list", "List the plugins");
+  verb->add_option("KIND", kind, "only this kind");
+  verb->callback([&] { code = cli::list(kind); });
+
+  std::string plugin, format = "text";
+  verb = app.add_subcommand("describe", "Describe a plugin and its parameters");
+  verb->add_option("PLUGIN", plugin, "KIND/NAME, or workflow for the keys of a workflow")->required();
+  verb->add_option("--format", format, "text, markdown or json")->check(CLI::IsMember({"text", "markdown", "json"}));
+  verb->callback([&] { code = cli::describe(plugin, format); });
+
+  cli::RenderArguments render;
+  verb = app.add_subcommand("render", "Make pictures from the files of a run");
+  verb->add_option("SOURCE", render.source, "result folder, .pvd or .vtp file")->required();
+  verb->add_option("--output", render.output, "folder of the pictures; default: beside the source");
+  verb->add_option("--renderer", render.renderer, "renderer plugin");
+  verb->add_option("--set", render.overrides, "replace a setting of the renderer: path=value")->expected(1)->take_all();
+  verb->callback([&] { code = cli::render(render); });
+
+  verb = app.add_subcommand("schema", "Print the JSON Schema of workflows");
+  verb->callback([&] { code = cli::schema(); });
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? cli::ok : cli::bad_input;
+  }
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return dispatch(argc, argv);
+  } catch (const Cancelled&) {
+    std::fprintf(stderr, "breccia: stopped on request\n");
+    return cli::interrupted;
+  } catch (const UserError& e) {
+    std::fprintf(stderr, "%s\n", e.what());
+    return cli::bad_input;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "breccia: not enough memory\n");
+    return cli::failure;
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "breccia: %s\n", e.what());
+    return cli::failure;
+  }
+}

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/render.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "cli/console.hpp"
+#include "cli/verbs.hpp"
+#include "config/reader.hpp"
+
+namespace breccia::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One renderer, with the settings that the run's own workflow had if it used it, and --set on top.
+struct RenderConfig {
+  PluginChoice renderer;
+  static void describe(Schema<RenderConfig>& s) {
+    s.param("renderer", &RenderConfig::renderer).kind("renderer").doc("settings of the renderer");
+  }
+};
+
+PluginChoice settings(const RenderArguments& a, Registry& registry) {
+  const fs::path resolved = a.source / "resolved.yaml";
+  if (fs::is_directory(a.source) && fs::exists(resolved)) {
+    const LoadedWorkflow loaded = load_workflow(resolved, {}, registry);
+    for (const PluginChoice& r : loaded.workflow.renderers)
+      if (r.type == a.renderer && a.overrides.empty()) return r;
+  }
+  Schema<RenderConfig> schema;
+  RenderConfig::describe(schema);
+  std::vector<std::string> overrides;
+  for (const std::string& o : a.overrides) overrides.push_back("renderer." + o);
+  const std::string text = "renderer: {type: " + a.renderer + "}\n";
+  return schema.load(read_config(text, "--renderer", schema.documentation().root, registry, overrides)).renderer;
+}
+
+}  // namespace
+
+int render(const RenderArguments& a) {
+  if (!fs::exists(a.source)) throw UserError("cannot read " + a.source.string() + ": no such file or folder");
+  Console console(1);
+  Registry registry;
+  const fs::path folder = !a.output.empty() ? a.output : fs::is_directory(a.source) ? a.source : fs::absolute(a.source).parent_path();
+  const PluginChoice choice = settings(a, registry);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw UserError("cannot make the folder " + folder.string() + ": " + error.message());
+  const auto made = render_all({choice}, registry, {a.source, folder}, console);
+  for (const fs::path& file : made) console.info("picture " + file.string());
+  return made.empty() ? failure : ok;
+}
+
+}  // namespace breccia::cli

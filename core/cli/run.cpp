@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "cli/console.hpp"
+#include "cli/verbs.hpp"
+#include "output/results_folder.hpp"
+#include "run/packing_cache.hpp"
+
+namespace breccia::cli {
+namespace {
+
+/// "measured | reference | difference" for every reference value whose key the summary has.
+void print_comparison(const Json& summary) {
+  const Json& reference = summary["reference"];
+  bool any = false;
+  for (const auto& [key, value] : reference.items()) {
+    if (!value.is_number() || !summary.contains(key)) continue;
+    if (!any) fmt::print("\n{:<24} | {:>12} | {:>12} | {:>10}\n{:-<68}\n", "", "measured", "reference", "difference", "");
+    any = true;
+    const double r = value.get<double>();
+    if (!summary[key].is_number()) { fmt::print("{:<24} | {:>12} | {:>12.6g} |\n", key, "none", r); continue; }
+    const double m = summary[key].get<double>();
+    fmt::print("{:<24} | {:>12.6g} | {:>12.6g} | {:>+8.2f} %\n", key, m, r, r != 0 ? 100 * (m / r - 1) : NAN);
+  }
+  if (any) fmt::print("\n");
+}
+
+}  // namespace
+
+int run(const RunArguments& a) {
+  const int cores = int(std::max(1u, std::thread::hardware_concurrency()));
+  Console console(a.threads > 0 ? a.threads : cores);
+  Registry registry;
+  for (const std::string& w : registry.warnings()) console.warn(w);
+  const LoadedWorkflow loaded = load_workflow(a.file, a.overrides, registry);
+  const std::filesystem::path folder = a.output.empty() ? std::filesystem::path("results") / loaded.workflow.name : a.output;
+  make_results_folder(folder, a.overwrite);
+  console.log_to(folder / "run.log");
+  console.info(fmt::format("breccia {}: workflow `{}` into {}", BRECCIA_VERSION, loaded.workflow.name, folder.string()));
+  try {
+    const RunOutcome outcome = run_workflow(loaded, registry, {folder, default_cache_folder()}, console);
+    console.clear_bar();
+    print_comparison(outcome.summary);
+    console.info(fmt::format("{} in {:.1f} s; results in {}", outcome.interrupted ? "stopped on request" : "finished",
+                             outcome.summary["wall_time_s"].get<double>(), folder.string()));
+    return outcome.interrupted ? interrupted : ok;
+  } catch (const std::exception& e) {
+    console.clear_bar();
+    console.log_only(std::string("ended: ") + e.what());
+    throw;
+  }
+}
+
+}  // namespace breccia::cli

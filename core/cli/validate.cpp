@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "cli/verbs.hpp"
+#include "run/workflow.hpp"
+
+namespace breccia::cli {
+
+int validate(const std::vector<std::filesystem::path>& files, const std::vector<std::string>& overrides) {
+  int code = ok;
+  for (const auto& file : files) {
+    try {
+      Registry registry;  // one each: plugins named by one workflow must not help another
+      load_workflow(file, overrides, registry);
+      fmt::print("{}: ok\n", file.string());
+    } catch (const UserError& e) {
+      fmt::print(stderr, "{}\n", e.what());
+      code = bad_input;
+    }
+  }
+  return code;
+}
+
+}  // namespace breccia::cli

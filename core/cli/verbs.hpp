@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The verbs of the command line; one source file each. Each returns the exit code.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace breccia::cli {
+
+constexpr int ok = 0, failure = 1, bad_input = 2, interrupted = 130;
+
+struct RunArguments {
+  std::filesystem::path file, output;
+  std::vector<std::string> overrides;
+  int threads = 0;        ///< 0: as many as the machine has
+  bool overwrite = false;
+};
+
+struct RenderArguments {
+  std::filesystem::path source, output;
+  std::string renderer = "pictures";
+  std::vector<std::string> overrides;
+};
+
+int run(const RunArguments& arguments);
+int validate(const std::vector<std::filesystem::path>& files, const std::vector<std::string>& overrides);
+int list(const std::string& kind);
+int describe(const std::string& plugin, const std::string& format);
+int render(const RenderArguments& arguments);
+int schema();
+
+}  // namespace breccia::cli

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// JSON Schema of workflows, for completion and checking in editors.
+#pragma once
+
+#include "config/plugin_directory.hpp"
+
+namespace breccia {
+
+/// Draft 7, which editors' YAML support knows best. Describes the file as it is written (quantities are texts with a
+/// unit), so it is looser than `read_config`: it knows no units, no ranges of quantities and no rules of plugins. A
+/// plugin that cannot be loaded is admitted with any parameters.
+Json json_schema(const ParamSpec& root, const PluginDirectory& plugins);
+
+}  // namespace breccia

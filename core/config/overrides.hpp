@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Values given on the command line: "contact_law.friction=0.3", "postprocessor.0.every=2 ms". Internal to the
+/// configuration.
+#pragma once
+
+#include "config/yaml_tree.hpp"
+
+namespace breccia {
+
+/// A copy of `root` with one value replaced or added; the value is read as YAML. List items count from 0, as
+/// `list.0.key` or `list[0].key`. Keys that no schema knows are left for the reader to refuse. What cannot be
+/// applied becomes a finding in source 1, line `number`, and `root` is returned as it was.
+YamlPtr apply_override(const YamlPtr& root, std::string_view override_text, int number, std::vector<Finding>& findings);
+
+}  // namespace breccia

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Groups, lists and plugin sections.
+#include <algorithm>
+#include <charconv>
+
+#include "config/section_reader.hpp"
+#include "config/suggest.hpp"
+#include "config/to_yaml.hpp"
+#include "config/yaml_syntax.hpp"
+
+namespace breccia {
+
+namespace {
+
+std::string quoted(const std::string& s) { return "`" + s + "`"; }
+
+std::string joined(const std::vector<std::string>& names, const char* last) {
+  std::string out;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    out += (k == 0 ? "" : k + 1 == names.size() ? last : ", ") + quoted(names[k]);
+  return out;
+}
+
+}  // namespace
+
+Json SectionReader::read(const ParamSpec& spec, const YamlNode& node, const Site& site) {
+  if (node.kind == YamlNode::Kind::null) {
+    report(site.place, site.path, "has no value; " + wanted_value(spec) + " is needed" +
+           (spec.required ? "" : ", or leave the key out"));
+    return nullptr;
+  }
+  switch (spec.type) {
+    case ParamType::group: return check_mapping(node, site, spec) ? read_members(spec, node, site) : Json();
+    case ParamType::plugin: return check_mapping(node, site, spec) ? read_plugin(spec, node, site) : Json();
+    case ParamType::free_form: return check_mapping(node, site, spec) ? plain_json(node) : Json();
+    case ParamType::quantity_list:
+    case ParamType::group_list:
+    case ParamType::plugin_list: return read_list(spec, node, site);
+    default: return read_scalar(spec, node, site);
+  }
+}
+
+bool SectionReader::check_mapping(const YamlNode& node, const Site& site, const ParamSpec& spec) {
+  if (node.kind == YamlNode::Kind::mapping) return true;
+  std::string hint;
+  if (node.kind == YamlNode::Kind::scalar) {
+    const std::string spaced = with_space_after_colon(node.text);
+    if (!spaced.empty()) hint = "; a space is missing after the colon: write " + quoted(spaced);
+    else if (spec.type == ParamType::plugin) hint = "; write " + quoted("type: " + node.text) + " in it";
+  }
+  const std::string what = node.kind == YamlNode::Kind::sequence ? "a list" : "the value " + quoted(node.text);
+  report(node.place, site.path, "must be " + wanted_value(spec) + ", not " + what + hint);
+  return false;
+}
+
+Json SectionReader::read_members(const ParamSpec& group, const YamlNode& node, const Site& site,
+                                 std::string_view own_key) {
+  std::set<std::string> meant;
+  check_known(group, node, site, own_key, meant);
+  check_alternatives(group, node, site, meant);
+  Json all = Json::object();
+  for (const ParamSpec& member : group.members) {
+    const std::string path = member_path(site.path, member.name);
+    if (const YamlEntry* entry = node.find(member.name)) {
+      all[member.name] = read(member, *entry->value, {path, entry->place});
+    } else if (is_decided_otherwise(group, member.name, node)) {
+      continue;
+    } else if (!member.fallback.is_null()) {
+      // A default takes the same way as what the user writes: nested defaults are filled in, and nothing is unchecked.
+      all[member.name] = read(member, *yaml_of(member, member.fallback, plugins_, site.place), {path, site.place});
+    } else if (member.required && !meant.contains(member.name)) {
+      report_missing(member, {path, site.place});
+    }
+  }
+  return all;
+}
+
+/// Unknown and retired keys. `meant` receives the members that a misspelt key probably stands for.
+void SectionReader::check_known(const ParamSpec& group, const YamlNode& node, const Site& site,
+                                std::string_view own_key, std::set<std::string>& meant) {
+  std::vector<std::string> names, free_names;
+  for (const ParamSpec& member : group.members) {
+    names.push_back(member.name);
+    if (!node.find(member.name)) free_names.push_back(member.name);
+  }
+  for (const YamlEntry& entry : node.entries) {
+    const std::string path = member_path(site.path, entry.key);
+    if (entry.key == own_key || std::find(names.begin(), names.end(), entry.key) != names.end()) continue;
+    if (const auto gone = group.removed.find(entry.key); gone != group.removed.end()) {
+      report(entry.place, path, "is no longer a parameter; " + gone->second);
+    } else if (const std::string spaced = with_space_after_colon(entry.key); !spaced.empty()) {
+      report(entry.place, site.path, "a space is missing after the colon: write " + quoted(spaced));
+      meant.insert(spaced.substr(0, spaced.find(':')));
+    } else if (const auto section = section_with_key(entry.key, site.path, root_, tree_, plugins_)) {
+      report(entry.place, path, "does not belong here; " + quoted(entry.key) + " belongs " +
+             (section->empty() ? "at the top level" : "under " + quoted(*section)));
+    } else {
+      const std::string near = closest(entry.key, free_names);
+      meant.insert(near);
+      report(entry.place, path, "is not a known parameter" + suggestion(entry.key, near.empty() ? names : free_names));
+    }
+  }
+}
+
+void SectionReader::check_alternatives(const ParamSpec& group, const YamlNode& node, const Site& site,
+                                       const std::set<std::string>& meant) {
+  const auto given = [&](const std::vector<std::string>& names) {
+    std::vector<std::string> present;
+    for (const std::string& name : names)
+      if (node.find(name)) present.push_back(name);
+    return present;
+  };
+  const auto refuse_several = [&](const std::vector<std::string>& names, const std::vector<std::string>& present) {
+    report(node.find(present[1])->place, site.path, "give only one of " + joined(names, " and ") + ", not " +
+           joined(present, " and "));
+  };
+  const auto has_default = [&](const std::string& name) {
+    return std::any_of(group.members.begin(), group.members.end(),
+                       [&](const ParamSpec& member) { return member.name == name && !member.fallback.is_null(); });
+  };
+  for (const auto& names : group.exactly_one_of) {
+    const auto present = given(names);
+    if (present.size() > 1) refuse_several(names, present);
+    const auto answered = [&](const std::string& name) { return has_default(name) || meant.contains(name); };
+    if (present.empty() && std::none_of(names.begin(), names.end(), answered))
+      report(site.place, site.path, "one of " + joined(names, " and ") + " must be given");
+  }
+  for (const auto& names : group.at_most_one_of)
+    if (const auto present = given(names); present.size() > 1) refuse_several(names, present);
+}
+
+/// True for a member whose alternative was given: it needs no value, and its default does not apply.
+bool SectionReader::is_decided_otherwise(const ParamSpec& group, const std::string& member,
+                                         const YamlNode& node) const {
+  const auto decided = [&](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), member) != names.end() &&
+           std::any_of(names.begin(), names.end(), [&](const std::string& name) { return node.find(name) != nullptr; });
+  };
+  if (std::any_of(group.at_most_one_of.begin(), group.at_most_one_of.end(), decided)) return true;
+  for (const auto& names : group.exactly_one_of) {
+    if (std::find(names.begin(), names.end(), member) == names.end()) continue;
+    const auto found =
+        std::find_if(group.members.begin(), group.members.end(), [&](const ParamSpec& m) { return m.name == member; });
+    if (decided(names) || found->fallback.is_null()) return true;
+  }
+  return false;
+}
+
+void SectionReader::report_missing(const ParamSpec& member, const Site& site) {
+  const std::string example = example_line(member);
+  report(site.place, site.path, "is missing" + (member.doc.empty() ? "" : ": " + member.doc) +
+         (example.empty() ? "" : "; for instance " + quoted(example)));
+}
+
+Json SectionReader::read_list(const ParamSpec& spec, const YamlNode& node, const Site& site) {
+  if (node.kind != YamlNode::Kind::sequence) {
+    report(node.place, site.path, "must be " + wanted_value(spec) + ", not " +
+           (node.kind == YamlNode::Kind::mapping ? "a mapping" : "the value " + quoted(node.text)));
+    return nullptr;
+  }
+  const std::size_t count = node.items.size();
+  if (count < spec.min_items || count > spec.max_items) {
+    const std::string low = std::to_string(spec.min_items), high = std::to_string(spec.max_items);
+    const std::string need = spec.min_items == spec.max_items ? low
+                             : count < spec.min_items         ? "at least " + low
+                                                              : "at most " + high;
+    report(node.place, site.path,
+           "must have " + need + (need == "1" || need.ends_with(" 1") ? " item" : " items") + ", not " +
+               std::to_string(count));
+  }
+  ParamSpec item = spec;
+  item.type = spec.type == ParamType::quantity_list ? ParamType::quantity
+              : spec.type == ParamType::group_list  ? ParamType::group : ParamType::plugin;
+  item.required = true;
+  Json all = Json::array();
+  for (std::size_t k = 0; k < count; ++k) {
+    const Place place = node.items[k]->place;
+    all.push_back(read(item, *node.items[k], {item_path(site.path, k), place}));
+  }
+  return all;
+}
+
+/// The name in `type:`, or null after a finding.
+Json SectionReader::read_plugin_type(const ParamSpec& spec, const YamlNode& node, const Site& site) {
+  const std::vector<std::string> known = plugins_.names(spec.plugin_kind);
+  const YamlEntry* type = node.find("type");
+  const std::string path = member_path(site.path, "type");
+  const std::string names =
+      known.empty() ? "no " + spec.plugin_kind + " plugin was found" : "known here: " + list_of(known);
+  if (!type) {
+    report(site.place, path, "is missing; it names the " + spec.plugin_kind + "; " + names);
+    return nullptr;
+  }
+  const YamlNode& value = *type->value;
+  if (value.kind != YamlNode::Kind::scalar) {
+    report(value.kind == YamlNode::Kind::null ? type->place : value.place, path,
+           "must be the name of a " + spec.plugin_kind + "; " + names);
+    return nullptr;
+  }
+  if (std::find(known.begin(), known.end(), value.text) == known.end()) {
+    const std::string near = closest(value.text, known);
+    report(value.place, path, "no " + spec.plugin_kind + " is named " + quoted(value.text) +
+           (near.empty() ? "" : "; did you mean " + quoted(near) + "?") + (near.empty() ? "; " : " ") + names);
+    return nullptr;
+  }
+  return value.text;
+}
+
+Json SectionReader::read_plugin(const ParamSpec& spec, const YamlNode& node, const Site& site) {
+  const Json name = read_plugin_type(spec, node, site);
+  if (name.is_null()) return nullptr;
+  const std::size_t before = findings_.size();
+  Json config;
+  try {
+    config = read_members(plugins_.documentation(spec.plugin_kind, name).root, node, site, "type");
+    if (findings_.size() == before) add_issues(plugins_.check(spec.plugin_kind, name, config), node, site);
+  } catch (const UserError& error) {
+    report(node.find("type")->value->place, member_path(site.path, "type"), error.what());
+    return nullptr;
+  }
+  Json section = {{"type", name}};
+  section.update(config);
+  return section;
+}
+
+void SectionReader::add_issues(const Issues& issues, const YamlNode& node, const Site& site) {
+  for (const Issue& issue : issues) {
+    // As far down as the path names something that was written.
+    Place place = site.path.empty() ? node.place : site.place;
+    const YamlNode* at = &node;
+    for (const PathStep& step : split_path(issue.path)) {
+      if (step.name.empty()) continue;
+      const YamlNode* next = nullptr;
+      if (at->kind == YamlNode::Kind::sequence) {
+        std::size_t index = at->items.size();
+        std::from_chars(step.name.data(), step.name.data() + step.name.size(), index);
+        if (index < at->items.size()) next = at->items[index].get();
+      } else if (const YamlEntry* entry = at->find(step.name)) {
+        next = entry->value.get();
+      }
+      if (!next) break;
+      place = next->place;
+      at = next;
+    }
+    report(place, issue.path.empty() ? site.path : member_path(site.path, issue.path), issue.text);
+  }
+}
+
+}  // namespace breccia

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Walks a YAML tree along its schema. Internal to the configuration.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <set>
+
+#include "config/plugin_directory.hpp"
+#include "config/yaml_tree.hpp"
+
+namespace breccia {
+
+/// Where a value stands: its path, and the place to blame for what is not there.
+struct Site {
+  std::string path;
+  Place place;
+};
+
+class SectionReader {
+ public:
+  /// `folder`: where relative paths start. `root` and `tree` serve to tell where a misplaced key belongs.
+  SectionReader(const PluginDirectory& plugins, std::filesystem::path folder, const ParamSpec& root,
+                const YamlNode& tree)
+      : plugins_(plugins), folder_(std::move(folder)), root_(root), tree_(tree) {}
+
+  /// The value in the form that ParamType documents. Meaningful only when no finding was added.
+  Json read(const ParamSpec& spec, const YamlNode& node, const Site& site);
+  /// The members of a group; `own_key` is not one of them ("type" of a plugin).
+  Json read_members(const ParamSpec& group, const YamlNode& node, const Site& site, std::string_view own_key = {});
+  /// Findings of a rule, put at the places of the values that they name.
+  void add_issues(const Issues& issues, const YamlNode& node, const Site& site);
+
+  std::vector<Finding>& findings() { return findings_; }
+
+ private:
+  // reader_sections.cpp
+  Json read_list(const ParamSpec& spec, const YamlNode& node, const Site& site);
+  Json read_plugin(const ParamSpec& spec, const YamlNode& node, const Site& site);
+  Json read_plugin_type(const ParamSpec& spec, const YamlNode& node, const Site& site);
+  bool check_mapping(const YamlNode& node, const Site& site, const ParamSpec& spec);
+  void check_known(const ParamSpec& group, const YamlNode& node, const Site& site, std::string_view own_key,
+                   std::set<std::string>& meant);
+  void check_alternatives(const ParamSpec& group, const YamlNode& node, const Site& site,
+                          const std::set<std::string>& meant);
+  bool is_decided_otherwise(const ParamSpec& group, const std::string& member, const YamlNode& node) const;
+  void report_missing(const ParamSpec& member, const Site& site);
+  // reader_values.cpp
+  Json read_scalar(const ParamSpec& spec, const YamlNode& node, const Site& site);
+  Json read_quantity_value(const ParamSpec& spec, const YamlNode& node, const Site& site);
+  Json read_integer(const ParamSpec& spec, const YamlNode& node, const Site& site);
+  Json read_boolean(const YamlNode& node, const Site& site);
+  Json read_choice(const ParamSpec& spec, const YamlNode& node, const Site& site);
+  Json read_path(const YamlNode& node, const Site& site);
+
+  void report(Place place, const std::string& path, std::string text) {
+    findings_.push_back({place, path, std::move(text)});
+  }
+
+  const PluginDirectory& plugins_;
+  std::filesystem::path folder_;
+  const ParamSpec& root_;
+  const YamlNode& tree_;
+  std::vector<Finding> findings_;
+};
+
+/// The section under which `key` is known elsewhere in the workflow ("contact_law"), or nothing. "" is the top level.
+std::optional<std::string> section_with_key(const std::string& key, const std::string& not_this_section,
+                                            const ParamSpec& root, const YamlNode& tree,
+                                            const PluginDirectory& plugins);
+
+/// What kind of value a parameter wants, with its article: "a pressure", "true or false", "a list of lengths".
+std::string wanted_value(const ParamSpec& spec);
+
+/// A line that could stand in a workflow for this parameter: "bond_modulus: 10 GPa"; empty when there is no example.
+std::string example_line(const ParamSpec& spec);
+
+}  // namespace breccia

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// From a packing to particles in spatial order.
+#pragma once
+
+#include "breccia/packing.hpp"
+#include "model/state.hpp"
+
+namespace breccia {
+
+struct Material {
+  double density;  // [kg/m3]
+};
+
+/// Particles of the packing, Morton-ordered so that neighbours are near in memory; masses of spheres, or of discs of
+/// the given thickness in two dimensions (held in the plane z = 0). UserError for an empty packing, a value that is
+/// not finite or a radius that is not positive.
+State assemble(const PackedParticles& packing, const Material& material, int dimension, double thickness);
+
+/// Order of the points along a Morton curve: result[k] is the k-th point. Ties keep their order.
+std::vector<Index> morton_order(std::span<const Vec3> points);
+
+}  // namespace breccia

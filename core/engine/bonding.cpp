@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "engine/bonding.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "breccia/cell_grid.hpp"
+#include "breccia/error.hpp"
+
+namespace breccia {
+namespace {
+
+struct Candidate {
+  Index i, j;
+  double distance, gap;  ///< gap = distance/(r_i + r_j) - 1
+};
+
+std::vector<Candidate> pairs_within(const Particles& p, double tolerance) {
+  const double largest = *std::max_element(p.radius.begin(), p.radius.end());
+  std::vector<Candidate> found;
+  CellGrid(p.position, 2 * largest * (1 + tolerance)).for_each_pair([&](Index i, Index j) {
+    const double d = (p.position[j] - p.position[i]).norm(), gap = d / (p.radius[i] + p.radius[j]) - 1;
+    if (gap <= tolerance) found.push_back({i, j, d, gap});
+  });
+  return found;
+}
+
+/// The candidates with the smallest gaps, as many as asked; equal gaps stand or fall together, so a lattice stays one.
+std::vector<Candidate> nearest_pairs(const Particles& p, std::size_t wanted, double& tolerance) {
+  for (double reach = 0.25; reach < 8; reach *= 2) {
+    std::vector<Candidate> found = pairs_within(p, reach);
+    if (found.size() < wanted) continue;
+    std::vector<double> gaps(found.size());
+    std::transform(found.begin(), found.end(), gaps.begin(), [](const Candidate& c) { return c.gap; });
+    std::nth_element(gaps.begin(), gaps.begin() + std::ptrdiff_t(wanted - 1), gaps.end());
+    tolerance = gaps[wanted - 1] + 1e-12 * (1 + std::abs(gaps[wanted - 1]));
+    std::erase_if(found, [&](const Candidate& c) { return c.gap > tolerance; });
+    return found;
+  }
+  throw UserError("bonding.coordination_number: so few neighbours exist that it cannot be reached even by bonds across gaps of several radii");
+}
+
+}  // namespace
+
+BondingResult make_bonds(State& state, const BondingRule& rule) {
+  const Particles& p = state.particles;
+  BondingResult result;
+  std::vector<Candidate> chosen;
+  if (rule.coordination_number) {
+    const auto wanted = std::size_t(std::llround(0.5 * *rule.coordination_number * double(p.size())));
+    if (wanted > p.size() * (p.size() - 1) / 2)
+      throw UserError("bonding.coordination_number: " + std::to_string(p.size()) + " particles cannot have that many neighbours");
+    if (wanted > 0) chosen = nearest_pairs(p, wanted, result.tolerance);
+  } else {
+    result.tolerance = *rule.tolerance;
+    chosen = pairs_within(p, result.tolerance);
+  }
+  std::sort(chosen.begin(), chosen.end(), [](const Candidate& a, const Candidate& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; });
+  Bonds& b = state.bonds;
+  b = {};
+  for (const Candidate& c : chosen) {
+    if (c.distance <= 0) throw UserError("two particles of the packing have the same centre: they cannot be bonded");
+    b.i.push_back(c.i);
+    b.j.push_back(c.j);
+    b.initial_distance.push_back(c.distance);
+  }
+  const std::size_t n = b.i.size();
+  b.pair.assign(n, BondsView::no_pair);
+  b.state.assign(n, BondState::intact);
+  b.break_time.assign(n, -1.0);
+  b.break_position.assign(n, Vec3::Zero());
+  b.break_normal.assign(n, Vec3::Zero());
+  result.coordination_number = 2.0 * double(n) / double(p.size());
+  return result;
+}
+
+}  // namespace breccia

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The pair list: intact bonds, contacts, and all neighbours that could touch before the list is made again.
+#pragma once
+
+#include <vector>
+
+#include "breccia/contact_law.hpp"
+#include "model/state.hpp"
+
+namespace breccia {
+
+/// The pairs in which each particle takes part: entries [start[p], start[p+1]) of `entry`, each pair * 2 + side, where
+/// side is 1 when p is the pair's j. Ascending, so the sum of forces has one order whatever the thread count.
+struct Incidence {
+  std::vector<std::size_t> start;
+  std::vector<Index> entry;
+};
+
+/// Rebuilds the pair list with the given skin [m]; pairs that stay keep their history, new ones get it from the law.
+/// A pair that is no longer an intact bond leaves once its surfaces (or its rest length) are a skin apart. Returns the
+/// particles that got a new neighbour, ascending.
+std::vector<Index> rebuild_pairs(State& state, ContactLaw& law, double skin);
+
+/// The batch of all pairs of the state, for calls of the law; per-chunk sums are not set.
+PairBatch whole_batch(State& state, std::vector<double*>& column_pointers);
+
+Incidence make_incidence(const State& state);
+
+/// The farthest that any particle has moved since the pair list was made [m].
+double largest_displacement_since_rebuild(const State& state);
+
+}  // namespace breccia

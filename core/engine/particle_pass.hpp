@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Sums the pair forces on each particle, adds damping and moves it.
+#pragma once
+
+#include "engine/neighbours.hpp"
+#include "model/state.hpp"
+
+namespace breccia {
+
+/// Non-viscous damping coefficients alpha: a force -alpha |F| v/|v| on the norm of the undamped resultant
+/// (Rojek et al. 2012, Eqs. 5-6), and the same for torque and angular velocity.
+struct Damping {
+  double translational = 0, rotational = 0;
+};
+
+/// What one pass over the particles yields besides moved particles; summed block by block in a fixed order.
+struct PassSums {
+  double damping = 0, boundary_work = 0;  ///< in this step [J]
+  double largest_speed = 0;               ///< [m/s]
+};
+
+/// Resultants at the present positions into `force` and `torque`; `external_*` hold walls' and applied loads.
+void sum_forces(State& state, const Incidence& incidence, const std::vector<Vec3>& external_force,
+                const std::vector<Vec3>& external_torque, int threads);
+
+/// Leapfrog: velocities by one step with the resultants of `sum_forces` and damping, then positions.
+/// Held components keep their velocity; the work that this takes counts as boundary work.
+PassSums integrate(State& state, const Damping& damping, bool any_applied, int threads);
+
+double kinetic_energy(const State& state);  ///< of the velocities at mid-step [J]
+
+}  // namespace breccia

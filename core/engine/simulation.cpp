@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "engine/simulation.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "engine/specimen.hpp"
+#include "engine/time_step.hpp"
+#include "engine/walls.hpp"
+
+namespace breccia {
+
+Simulation::Simulation(State state, ContactLaw& law, const EngineSettings& settings)
+    : state_(std::move(state)), law_(law), settings_(settings) {
+  const auto& r = state_.particles.radius;
+  skin_ = settings_.skin * std::accumulate(r.begin(), r.end(), 0.0) / double(r.size());
+  external_force_.assign(r.size(), Vec3::Zero());
+  external_torque_.assign(r.size(), Vec3::Zero());
+}
+
+BondingResult Simulation::bond(const BondingRule& rule) {
+  const BondingResult result = make_bonds(state_, rule);
+  Assembly a;
+  a.dimension = state_.dimension;
+  a.thickness = state_.thickness;
+  a.radius = state_.particles.radius;
+  a.mass = state_.particles.mass;
+  a.bond_i = state_.bonds.i;
+  a.bond_j = state_.bonds.j;
+  a.porosity = porosity();
+  a.coordination_number = result.coordination_number;
+  law_.prepare(a);
+  return result;
+}
+
+double Simulation::porosity() const {
+  return 1 - solid_volume(state_.particles.radius, state_.dimension, state_.thickness) / state_.specimen.volume;
+}
+
+void Simulation::prepare() {
+  critical_ = std::numeric_limits<double>::infinity();
+  rebuild();
+  if (!std::isfinite(critical_))
+    throw UserError("no bond or contact is stiff enough to set a time step: the particles do not touch; "
+                    "raise bonding.tolerance or use a denser packing");
+}
+
+void Simulation::rebuild() {
+  fold_chunk_sums();
+  const std::vector<Index> changed = rebuild_pairs(state_, law_, skin_);
+  rebuild_wall_touches(state_, skin_);
+  incidence_ = make_incidence(state_);
+  const std::size_t chunks = (state_.pairs.size() + PairBatch::chunk - 1) / PairBatch::chunk;
+  chunk_friction_.assign(chunks, 0);
+  chunk_contact_.assign(chunks, 0);
+  chunk_fracture_.assign(chunks, 0);
+  chunk_broke_.assign(chunks, 0);
+  // Rows that no wall touches any more go back to the applied force alone.
+  external_force_ = state_.particles.applied_force;
+  external_torque_.assign(state_.particles.size(), Vec3::Zero());
+  update_time_step(changed);
+  ++rebuilds_;
+}
+
+void Simulation::update_time_step(const std::vector<Index>& changed) {
+  // Only new neighbours can ask for a shorter step, and it only shrinks: a longer one half-way is not worth the jump.
+  critical_ = std::min(critical_, critical_time_step(state_, law_, changed));
+  state_.time_step = settings_.safety * critical_;
+}
+
+void Simulation::forces() {
+  State& s = state_;
+  // The bound adds up the fastest particle of each step; only when it says "perhaps" are the true displacements looked at.
+  const double allowed = 0.9 * skin_;
+  if (2 * s.moved_bound > allowed || s.moved_bound + s.walls_moved > allowed) {
+    s.moved_bound = largest_displacement_since_rebuild(s);
+    if (2 * s.moved_bound > 0.9 * allowed || s.moved_bound + s.walls_moved > 0.9 * allowed) rebuild();
+  }
+  PairBatch all = whole_batch(s, columns_);
+  all.friction_work = chunk_friction_.data();
+  all.contact_work = chunk_contact_.data();
+  all.fracture_energy = chunk_fracture_.data();
+  all.chunk_broke = chunk_broke_.data();
+  const std::size_t chunks = chunk_broke_.size(), threads = std::size_t(settings_.threads);
+#pragma omp parallel for schedule(static, 1) num_threads(settings_.threads)
+  for (std::size_t t = 0; t < threads; ++t) {
+    PairBatch mine = all;
+    mine.begin = PairBatch::chunk * (chunks * t / threads);
+    mine.end = std::min(all.end, PairBatch::chunk * (chunks * (t + 1) / threads));
+    if (mine.begin < mine.end) law_.evaluate(mine);
+  }
+  record_breaks();
+  wall_forces(s, external_force_, external_torque_);
+  sum_forces(s, incidence_, external_force_, external_torque_, settings_.threads);
+}
+
+void Simulation::record_breaks() {
+  State& s = state_;
+  for (std::size_t c = 0; c < chunk_broke_.size(); ++c) {
+    if (!chunk_broke_[c]) continue;
+    chunk_broke_[c] = 0;
+    for (std::size_t k = c * PairBatch::chunk; k < std::min(s.pairs.size(), (c + 1) * PairBatch::chunk); ++k) {
+      const Index b = s.pairs.bond[k];
+      if (b == PairsView::no_bond || s.bonds.state[b] == s.pairs.state[k]) continue;
+      const Index i = s.pairs.i[k];
+      const Vec3 branch = s.particles.position[s.pairs.j[k]] - s.particles.position[i];
+      s.bonds.state[b] = s.pairs.state[k];
+      s.bonds.break_time[b] = s.time;
+      s.bonds.break_normal[b] = branch.normalized();
+      s.bonds.break_position[b] = s.particles.position[i] + (s.particles.radius[i] + s.pairs.force[k].half_gap) * s.bonds.break_normal[b];
+    }
+  }
+}
+
+void Simulation::advance() {
+  State& s = state_;
+  const PassSums sums = integrate(s, settings_.damping, any_applied_, settings_.threads);
+  s.energy.damping += sums.damping;
+  s.energy.boundary_work += sums.boundary_work;
+  move_walls(s);
+  s.moved_bound += sums.largest_speed * s.time_step;
+  if (!std::isfinite(s.moved_bound))
+    throw UserError("the motion ran away (a velocity is no longer a finite number) at step " + std::to_string(s.step) +
+                    "; lower engine.time_step_safety or check stiffness and density");
+  s.time += s.time_step;
+  ++s.step;
+}
+
+void Simulation::fold_chunk_sums() {
+  for (std::size_t c = 0; c < chunk_broke_.size(); ++c) {
+    state_.energy.friction += chunk_friction_[c];
+    state_.energy.contact += chunk_contact_[c];
+    state_.energy.fracture += chunk_fracture_[c];
+    chunk_friction_[c] = chunk_contact_[c] = chunk_fracture_[c] = 0;
+  }
+}
+
+double Simulation::elastic_energy() {
+  std::vector<double*> columns;
+  return law_.energy(whole_batch(state_, columns)) + wall_energy(state_);
+}
+
+void Simulation::mark_start_of_loading() {
+  fold_chunk_sums();
+  state_.energy = {};
+  state_.energy.initial = elastic_energy() + kinetic_energy(state_);
+  state_.particles.reference_position = state_.particles.position;
+  for (Wall& w : state_.walls) w.displacement.setZero();
+  const SpecimenShape& old = state_.specimen;
+  state_.specimen = measure_specimen(state_.particles.position, state_.particles.radius, old.outline, old.axis, state_.dimension, state_.thickness);
+  loading_started_ = true;
+}
+
+std::size_t Simulation::add_wall(const WallSpec& w) {
+  Wall wall;
+  wall.name = w.name;
+  wall.point = w.point;
+  wall.normal = w.normal.normalized();
+  wall.velocity = wall.previous_velocity = wall.displacement = wall.force = Vec3::Zero();
+  wall.normal_stiffness = w.normal_stiffness;
+  wall.shear_stiffness = w.shear_stiffness;
+  wall.friction = w.friction;
+  state_.walls.push_back(wall);
+  return state_.walls.size() - 1;
+}
+
+void Simulation::set_wall_velocity(std::size_t wall, const Vec3& velocity) { state_.walls.at(wall).velocity = velocity; }
+
+void Simulation::hold(Index a, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity) {
+  Particles& p = state_.particles;
+  p.held[a] |= mask;
+  for (int k = 0; k < 3; ++k) {
+    if (mask >> k & 1) p.velocity[a][k] = velocity[k];
+    if (mask >> (k + 3) & 1) p.angular_velocity[a][k] = angular_velocity[k];
+  }
+}
+
+void Simulation::release(Index a, std::uint8_t mask) {
+  const std::uint8_t always = state_.dimension == 2 ? dof::out_of_plane : std::uint8_t(0);
+  state_.particles.held[a] = std::uint8_t((state_.particles.held[a] & ~mask) | always);
+}
+
+void Simulation::set_applied_force(Index a, const Vec3& force) {
+  external_force_[a] += force - state_.particles.applied_force[a];
+  state_.particles.applied_force[a] = force;
+  any_applied_ = true;
+}
+
+SimulationView Simulation::view() {
+  State& s = state_;
+  fold_chunk_sums();
+  SimulationView v;
+  v.dimension = s.dimension;
+  v.thickness = s.thickness;
+  v.time = s.time;
+  v.time_step = s.time_step;
+  v.step = s.step;
+  const Particles& p = s.particles;
+  v.particles = {p.position, p.velocity, p.angular_velocity, p.reference_position, p.force, p.torque, p.radius, p.mass, p.id};
+  v.pairs = {s.pairs.i, s.pairs.j, s.pairs.rest_length, s.pairs.state, s.pairs.bond, s.pairs.force, s.pairs.moment, {}};
+  for (const auto& c : s.pairs.columns) v.pairs.columns.emplace_back(c);
+  const Bonds& b = s.bonds;
+  v.bonds = {b.i, b.j, b.initial_distance, b.state, b.break_time, b.break_position, b.break_normal, b.pair};
+  wall_views_.clear();
+  for (const Wall& w : s.walls) wall_views_.push_back({w.name, w.point, w.normal, w.velocity, w.displacement, w.force, 0});
+  wall_contacts_.clear();
+  for (const WallTouch& t : s.wall_touches) {
+    if (t.overlap <= 0) continue;
+    const Vec3 arm = -(p.radius[t.particle] - t.overlap) * s.walls[t.wall].normal;
+    wall_contacts_.push_back({t.particle, t.wall, p.position[t.particle] + arm, t.force});
+    ++wall_views_[t.wall].contacts;
+  }
+  v.walls = wall_views_;
+  v.wall_contacts = wall_contacts_;
+  v.specimen = s.specimen;
+  v.energy.initial = s.energy.initial;
+  v.energy.boundary_work = s.energy.boundary_work;
+  v.energy.elastic = elastic_energy();
+  v.energy.kinetic = kinetic_energy(s);
+  v.energy.friction = s.energy.friction;
+  v.energy.damping = s.energy.damping;
+  v.energy.contact = s.energy.contact;
+  v.energy.fracture = s.energy.fracture;
+  return v;
+}
+
+}  // namespace breccia

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The step loop: owns the state and everything that is derived from it.
+#pragma once
+
+#include <memory>
+
+#include "breccia/protocol.hpp"
+#include "engine/bonding.hpp"
+#include "engine/neighbours.hpp"
+#include "engine/particle_pass.hpp"
+
+namespace breccia {
+
+struct EngineSettings {
+  Damping damping;
+  double safety = 0.8;             ///< share of the critical time step
+  double skin = 0.3;               ///< of the neighbour list, in mean radii
+  int threads = 1;
+};
+
+class Simulation final : public LoadControl {
+ public:
+  /// Takes assembled particles; the law outlives the simulation.
+  Simulation(State state, ContactLaw& law, const EngineSettings& settings);
+
+  /// Makes the bonds and lets the law derive its constants.
+  BondingResult bond(const BondingRule& rule);
+  /// After bonds, walls and held particles are there: pair list and time step. UserError when nothing is stiff.
+  void prepare();
+
+  /// One step is `forces()` (resultants at the present time) then `advance()`; measure between the two.
+  void forces();
+  void advance();
+
+  SimulationView view();              ///< valid until the next call that changes anything
+  const State& state() const { return state_; }
+  std::uint64_t rebuilds() const { return rebuilds_; }
+  double critical_step() const { return critical_; }
+  bool loading_started() const { return loading_started_; }
+  double porosity() const;            ///< 1 - sum of particle volumes / specimen volume
+
+  std::size_t add_wall(const WallSpec& spec) override;
+  void set_wall_velocity(std::size_t wall, const Vec3& velocity) override;
+  void hold(Index particle, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity) override;
+  void release(Index particle, std::uint8_t mask) override;
+  void set_applied_force(Index particle, const Vec3& force) override;
+  void mark_start_of_loading() override;
+  double time() const override { return state_.time; }
+  double time_step() const override { return state_.time_step; }
+
+ private:
+  void rebuild();
+  void update_time_step(const std::vector<Index>& changed);
+  void record_breaks();
+  void fold_chunk_sums();
+  double elastic_energy();
+
+  State state_;
+  ContactLaw& law_;
+  EngineSettings settings_;
+  double skin_ = 0, critical_ = 0;
+  Incidence incidence_;
+  std::vector<double*> columns_;
+  std::vector<double> chunk_friction_, chunk_contact_, chunk_fracture_;
+  std::vector<std::uint8_t> chunk_broke_;
+  std::vector<Vec3> external_force_, external_torque_;
+  bool any_applied_ = false, loading_started_ = false;
+  std::uint64_t rebuilds_ = 0;
+  std::vector<WallView> wall_views_;
+  std::vector<WallContact> wall_contacts_;
+};
+
+}  // namespace breccia

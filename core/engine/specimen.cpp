@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "engine/specimen.hpp"
+
+#include <numbers>
+
+namespace breccia {
+
+SpecimenShape measure_specimen(std::span<const Vec3> position, std::span<const double> radius,
+                               SpecimenShape::Outline outline, const Vec3& axis, int dimension, double thickness) {
+  SpecimenShape s;
+  s.outline = outline;
+  s.axis = axis.normalized();
+  Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
+  double bottom = 1e300, top = -1e300;
+  for (std::size_t k = 0; k < radius.size(); ++k) {
+    low = low.cwiseMin(position[k] - Vec3::Constant(radius[k]));
+    high = high.cwiseMax(position[k] + Vec3::Constant(radius[k]));
+    const double along = position[k].dot(s.axis);
+    bottom = std::min(bottom, along - radius[k]);
+    top = std::max(top, along + radius[k]);
+  }
+  if (dimension == 2) { low.z() = -0.5 * thickness; high.z() = 0.5 * thickness; }
+  s.extent = high - low;
+  s.height = top - bottom;
+  const Vec3 middle = 0.5 * (low + high);
+  s.base = middle + (bottom - middle.dot(s.axis)) * s.axis;
+  if (outline == SpecimenShape::Outline::cylinder) {
+    double r = 0;
+    for (std::size_t k = 0; k < radius.size(); ++k) {
+      const Vec3 from_base = position[k] - s.base;
+      r = std::max(r, (from_base - from_base.dot(s.axis) * s.axis).norm() + radius[k]);
+    }
+    s.cross_section_area = std::numbers::pi * r * r;
+  } else {
+    // The axis is a coordinate direction for a box: the other two extents make its cross-section.
+    s.cross_section_area = s.extent.prod() / s.extent.dot(s.axis.cwiseAbs());
+  }
+  s.volume = s.cross_section_area * s.height;
+  return s;
+}
+
+double solid_volume(std::span<const double> radius, int dimension, double thickness) {
+  double sum = 0;
+  for (const double r : radius) sum += dimension == 2 ? r * r * thickness : 4.0 / 3.0 * r * r * r;
+  return std::numbers::pi * sum;
+}
+
+}  // namespace breccia

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "engine/walls.hpp"
+
+#include <algorithm>
+
+namespace breccia {
+
+void rebuild_wall_touches(State& s, double reach) {
+  std::vector<WallTouch> old;
+  old.swap(s.wall_touches);
+  std::size_t next = 0;
+  for (Index w = 0; w < s.walls.size(); ++w) {
+    const Wall& wall = s.walls[w];
+    for (Index a = 0; a < s.particles.size(); ++a) {
+      if ((s.particles.position[a] - wall.point).dot(wall.normal) - s.particles.radius[a] > reach) continue;
+      while (next < old.size() && (old[next].wall < w || (old[next].wall == w && old[next].particle < a))) ++next;
+      const bool known = next < old.size() && old[next].wall == w && old[next].particle == a;
+      s.wall_touches.push_back(known ? old[next] : WallTouch{a, w});
+    }
+  }
+}
+
+void wall_forces(State& s, std::vector<Vec3>& force, std::vector<Vec3>& torque) {
+  const Particles& p = s.particles;
+  const double dt = s.time_step;
+  for (const WallTouch& t : s.wall_touches) {
+    force[t.particle] = p.applied_force[t.particle];
+    torque[t.particle].setZero();
+  }
+  for (Wall& w : s.walls) w.force.setZero();
+  for (WallTouch& t : s.wall_touches) {
+    Wall& w = s.walls[t.wall];
+    const Vec3& x = p.position[t.particle];
+    const double r = p.radius[t.particle];
+    t.overlap = r - (x - w.point).dot(w.normal);
+    t.force.setZero();
+    if (t.overlap <= 0) { t.spring.setZero(); continue; }
+    const double pressed = w.normal_stiffness * t.overlap;
+    const Vec3 arm = -(r - t.overlap) * w.normal;  // from the centre to the contact point
+    if (w.friction > 0) {
+      Vec3 slip = p.velocity[t.particle] + p.angular_velocity[t.particle].cross(arm) - w.velocity;
+      slip -= slip.dot(w.normal) * w.normal;
+      const Vec3 trial = t.spring + dt * slip;
+      const double size = w.shear_stiffness * trial.norm(), limit = w.friction * pressed;
+      const double keep = size > limit ? limit / size : 1.0;
+      t.spring = keep * trial;
+      if (keep < 1) s.energy.friction += limit * trial.norm() * (1 - keep);
+      t.force = -w.shear_stiffness * t.spring;
+    }
+    t.force += pressed * w.normal;
+    force[t.particle] += t.force;
+    torque[t.particle] += arm.cross(t.force);
+    w.force -= t.force;
+  }
+  for (Wall& w : s.walls) {
+    s.energy.boundary_work -= w.force.dot(w.velocity + w.previous_velocity) * 0.5 * dt;
+    w.previous_velocity = w.velocity;
+  }
+}
+
+void move_walls(State& s) {
+  double fastest = 0;
+  for (Wall& w : s.walls) {
+    w.point += s.time_step * w.velocity;
+    w.displacement += s.time_step * w.velocity;
+    fastest = std::max(fastest, w.velocity.norm());
+  }
+  s.walls_moved += s.time_step * fastest;
+}
+
+double wall_energy(const State& s) {
+  double sum = 0;
+  for (const WallTouch& t : s.wall_touches) {
+    const Wall& w = s.walls[t.wall];
+    if (t.overlap > 0) sum += w.normal_stiffness * t.overlap * t.overlap + w.shear_stiffness * t.spring.squaredNorm();
+  }
+  return 0.5 * sum;
+}
+
+}  // namespace breccia

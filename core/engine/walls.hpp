@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Rigid plane walls: a linear penalty spring, and a Coulomb-limited tangential spring when the wall has friction.
+#pragma once
+
+#include "model/state.hpp"
+
+namespace breccia {
+
+/// Particles within `reach` [m] of a wall; touches that stay keep their friction spring.
+void rebuild_wall_touches(State& state, double reach);
+
+/// Forces of the walls on particles, added into `force` and `torque` (rows of touched particles start at their applied
+/// force), and the particles' force on each wall. Adds this step's work of the walls and their friction to the ledger.
+void wall_forces(State& state, std::vector<Vec3>& force, std::vector<Vec3>& torque);
+
+void move_walls(State& state);
+
+double wall_energy(const State& state);  ///< stored in penalty and friction springs [J]
+
+}  // namespace breccia

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/curve_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+namespace breccia {
+
+std::string header_name(const Column& c) {
+  if (c.unit == "1" || c.unit.empty()) return c.name;
+  std::string unit = c.unit;
+  for (char& ch : unit)
+    if (!std::isalnum(static_cast<unsigned char>(ch))) ch = '_';
+  return c.name + "_" + unit;
+}
+
+std::size_t CurveTable::add(Column column) {
+  BRECCIA_ASSERT(!file_);
+  if (!index_.emplace(column.name, columns_.size()).second)
+    throw UserError("two plugins of the workflow both write the curve `" + column.name + "`: remove one of them");
+  columns_.push_back(std::move(column));
+  values_.emplace_back();
+  current_.push_back(std::numeric_limits<double>::quiet_NaN());
+  return columns_.size() - 1;
+}
+
+void CurveTable::set(std::size_t column, double value) { current_.at(column) = value; }
+
+std::span<const double> CurveTable::column(std::string_view name) const {
+  if (const auto it = index_.find(name); it != index_.end()) return values_[it->second];
+  std::string known;
+  for (const auto& [key, at] : index_) known += (known.empty() ? "" : ", ") + key;
+  throw UserError(fmt::format("there is no curve `{}`; the curves of this workflow are {}", name, known));
+}
+
+void CurveTable::open(const std::filesystem::path& path) {
+  file_ = std::make_unique<AtomicFile>(path, true);
+  std::string line;
+  for (const Column& c : columns_) line += (line.empty() ? "" : ",") + header_name(c);
+  file_->write(line + "\n");
+}
+
+void CurveTable::end_row() {
+  std::string line;
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    values_[c].push_back(current_[c]);
+    if (c) line += ',';
+    if (std::isfinite(current_[c])) line += fmt::format("{}", current_[c]);
+    current_[c] = std::numeric_limits<double>::quiet_NaN();
+  }
+  file_->write(line + "\n");
+  if (++rows_ % 20 == 0) file_->flush();
+}
+
+void CurveTable::close() {
+  file_->commit();
+  file_.reset();
+}
+
+}  // namespace breccia

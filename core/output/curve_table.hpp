@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// curves.csv: one row per sample, columns from the core, the protocol and the post-processors.
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "breccia/services.hpp"
+#include "output/atomic_file.hpp"
+
+namespace breccia {
+
+/// Name as it stands in the CSV header: with the unit, unless a pure number ("axial_stress_Pa").
+std::string header_name(const Column& column);
+
+class CurveTable final : public Recorder, public Curves {
+ public:
+  std::size_t add(Column column) override;
+  void set(std::size_t column, double value) override;
+  const std::vector<Column>& columns() const override { return columns_; }
+  std::span<const double> column(std::string_view name) const override;
+  std::size_t rows() const override { return rows_; }
+
+  /// Starts the file; no column can be added afterwards.
+  void open(const std::filesystem::path& path);
+  /// Ends the current row and writes it; columns that nobody set are NaN (empty in the file).
+  void end_row();
+  void close();   ///< the file takes its final name
+
+ private:
+  std::vector<Column> columns_;
+  std::map<std::string, std::size_t, std::less<>> index_;
+  std::vector<std::vector<double>> values_;
+  std::vector<double> current_;
+  std::size_t rows_ = 0;
+  std::unique_ptr<AtomicFile> file_;
+};
+
+}  // namespace breccia

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// summary.json: headline numbers, what each plugin adds under its own name, and the reference values.
+#pragma once
+
+#include <filesystem>
+#include <map>
+
+#include "breccia/services.hpp"
+
+namespace breccia {
+
+class SummaryTable {
+ public:
+  /// The view of it that one plugin gets; `owner` names its own section.
+  class Section final : public Summary {
+   public:
+    Section(SummaryTable& table, std::string owner) : table_(table), owner_(std::move(owner)) {}
+    void headline(const std::string& key, Json value) override { table_.set(key, std::move(value), owner_); }
+    void own(const std::string& key, Json value) override { table_.json_[owner_][key] = std::move(value); }
+
+   private:
+    SummaryTable& table_;
+    std::string owner_;
+  };
+
+  /// UserError when two owners set one key: the workflow then lists two plugins for the same thing.
+  void set(const std::string& key, Json value, const std::string& owner = "breccia");
+  const Json& json() const { return json_; }
+  void write(const std::filesystem::path& path) const;
+
+ private:
+  Json json_ = Json::object();
+  std::map<std::string, std::string> owner_;
+};
+
+}  // namespace breccia

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/packing_cache.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include "output/atomic_file.hpp"
+#include "plugin/sha256.hpp"
+
+namespace breccia {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string hash_text(const std::string& text) { return sha256(std::as_bytes(std::span(text))); }
+
+std::string file_content(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+Json to_json(const PackedParticles& p) {
+  Json j;
+  std::vector<double> flat;
+  for (std::size_t k = 0; k < p.position.size(); ++k)
+    flat.insert(flat.end(), {p.position[k].x(), p.position[k].y(), p.position[k].z(), p.radius[k]});
+  j["particles"] = std::move(flat);
+  j["outline"] = int(p.outline);
+  j["axis"] = {p.axis.x(), p.axis.y(), p.axis.z()};
+  j["container_volume"] = p.container_volume;
+  for (const AskedGot& line : p.report)
+    j["report"].push_back({{"name", line.name}, {"unit", line.unit}, {"asked", line.asked ? Json(*line.asked) : Json()}, {"got", line.got}});
+  return j;
+}
+
+PackedParticles from_json(const Json& j) {
+  PackedParticles p;
+  const auto flat = j.at("particles").get<std::vector<double>>();
+  if (flat.empty() || flat.size() % 4) throw std::runtime_error("wrong length");
+  for (std::size_t k = 0; k < flat.size(); k += 4) {
+    p.position.emplace_back(flat[k], flat[k + 1], flat[k + 2]);
+    p.radius.push_back(flat[k + 3]);
+  }
+  p.outline = static_cast<SpecimenShape::Outline>(j.at("outline").get<int>());
+  for (int k = 0; k < 3; ++k) p.axis[k] = j.at("axis").at(std::size_t(k)).get<double>();
+  p.container_volume = j.at("container_volume").get<double>();
+  if (j.contains("report"))
+    for (const Json& line : j.at("report"))
+      p.report.push_back({line.at("name").get<std::string>(), line.at("unit").get<std::string>(),
+                          line.at("asked").is_null() ? std::nullopt : std::optional(line.at("asked").get<double>()),
+                          line.at("got").get<double>()});
+  return p;
+}
+
+std::string content_hash(const PackedParticles& p) {
+  std::vector<double> flat;
+  for (std::size_t k = 0; k < p.position.size(); ++k)
+    flat.insert(flat.end(), {p.position[k].x(), p.position[k].y(), p.position[k].z(), p.radius[k]});
+  return sha256(std::as_bytes(std::span(flat)));
+}
+
+/// CBOR keeps every bit of a number and is quick; the hash of the body in front tells a damaged file.
+std::optional<PackedParticles> read_cached(const fs::path& file, Host& host) {
+  if (!fs::exists(file)) return std::nullopt;
+  const std::string all = file_content(file);
+  try {
+    if (all.size() < 64 || all.substr(0, 64) != hash_text(all.substr(64))) throw std::runtime_error("damaged");
+    return from_json(Json::from_cbor(all.substr(64)));
+  } catch (const std::exception&) {
+    host.warn("the cached packing " + file.string() + " is damaged and is made anew");
+    return std::nullopt;
+  }
+}
+
+void write_cached(const fs::path& file, const PackedParticles& p, Host& host) {
+  try {
+    fs::create_directories(file.parent_path());
+    const std::vector<std::uint8_t> body = Json::to_cbor(to_json(p));
+    const std::string text(body.begin(), body.end());
+    write_file(file, hash_text(text) + text);
+  } catch (const std::exception& e) {
+    host.warn(std::string("the packing was not kept for the next run: ") + e.what());
+  }
+}
+
+}  // namespace
+
+fs::path default_cache_folder() {
+  if (const char* own = std::getenv("BRECCIA_CACHE"); own && *own) return own;
+  if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg && *xdg) return fs::path(xdg) / "breccia";
+  if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".cache" / "breccia";
+  return {};
+}
+
+PackingOutcome obtain_packing(const Registry& registry, const PluginChoice& choice, const PackingRequest& request,
+                              const fs::path& cache_folder, Host& host) {
+  const auto packing = registry.create<Packing>(choice);
+  Json key = {{"plugin", registry.info(Packing::kind, choice.type).sha256}, {"type", choice.type}, {"config", choice.config},
+              {"seed", request.seed}, {"dimension", request.dimension}, {"thickness", request.thickness}};
+  for (const fs::path& input : packing->inputs()) key["inputs"].push_back(hash_text(file_content(input)));
+  const fs::path file = cache_folder.empty() ? fs::path() : cache_folder / "packings" / (hash_text(key.dump()) + ".cbor");
+  PackingOutcome outcome;
+  if (!file.empty())
+    if (auto cached = read_cached(file, host)) {
+      outcome.particles = std::move(*cached);
+      outcome.from_cache = true;
+    }
+  if (!outcome.from_cache) {
+    outcome.particles = packing->generate(request, host);
+    if (!file.empty() && !outcome.particles.position.empty()) write_cached(file, outcome.particles, host);
+  }
+  outcome.hash = content_hash(outcome.particles);
+  return outcome;
+}
+
+}  // namespace breccia

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Packings are kept and used again: by the content of everything that they depend on.
+#pragma once
+
+#include <filesystem>
+
+#include "breccia/packing.hpp"
+#include "plugin/registry.hpp"
+
+namespace breccia {
+
+/// $BRECCIA_CACHE, or $XDG_CACHE_HOME/breccia, or ~/.cache/breccia; empty when none can be named.
+std::filesystem::path default_cache_folder();
+
+struct PackingOutcome {
+  PackedParticles particles;
+  bool from_cache = false;
+  std::string hash;   ///< content hash of the particles (centres and radii)
+};
+
+/// The packing that the workflow asks for. The cache key covers the plugin's file, its configuration, its input files,
+/// the seed and the dimension. A cache that cannot be read or written is a warning, never a failure.
+PackingOutcome obtain_packing(const Registry& registry, const PluginChoice& choice, const PackingRequest& request,
+                              const std::filesystem::path& cache_folder, Host& host);
+
+}  // namespace breccia

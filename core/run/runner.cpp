@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/runner.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "breccia/contact_law.hpp"
+#include "breccia/output.hpp"
+#include "breccia/postprocessor.hpp"
+#include "breccia/protocol.hpp"
+#include "config/writer.hpp"
+#include "engine/assembly.hpp"
+#include "engine/simulation.hpp"
+#include "engine/specimen.hpp"
+#include "output/curve_table.hpp"
+#include "output/summary_table.hpp"
+#include "run/frames.hpp"
+#include "run/packing_cache.hpp"
+#include "run/render.hpp"
+
+namespace breccia {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Everything of one run; each step of `run_workflow` is a member.
+class Run {
+ public:
+  Run(const LoadedWorkflow& loaded, const Registry& registry, const RunOptions& options, RunMonitor& monitor)
+      : w_(loaded.workflow), config_(loaded.config), registry_(registry), options_(options), monitor_(monitor) {}
+
+  RunOutcome operator()() {
+    const auto start = Clock::now();
+    create_plugins();
+    build();
+    write_resolved();
+    loop();
+    finish(seconds_since(start));
+    draw();
+    return {summary_.json(), interrupted_};
+  }
+
+ private:
+  void create_plugins() {
+    law_ = registry_.create<ContactLaw>(w_.contact_law);
+    protocol_ = registry_.create<Protocol>(w_.protocol);
+    std::vector<std::unique_ptr<Output>> outputs;
+    for (const PluginChoice& c : w_.postprocessors) posts_.push_back(registry_.create<Postprocessor>(c));
+    for (const PluginChoice& c : w_.outputs) outputs.push_back(registry_.create<Output>(c));
+    frames_ = std::make_unique<Frames>(std::move(outputs), posts_);
+  }
+
+  void build() {
+    const int dimension = int(w_.dimension);
+    packing_ = obtain_packing(registry_, w_.packing, {dimension, w_.thickness, std::uint64_t(w_.seed)}, options_.packing_cache, monitor_);
+    report_packing();
+    EngineSettings settings;
+    settings.damping = {w_.damping.translational, w_.damping.rotational};
+    settings.safety = w_.engine.time_step_safety;
+    settings.skin = w_.engine.skin;
+    settings.threads = monitor_.threads();
+    simulation_ = std::make_unique<Simulation>(assemble(packing_.particles, {w_.material.density}, dimension, w_.thickness), *law_, settings);
+    bonding_ = simulation_->bond({w_.bonding.tolerance, w_.bonding.coordination_number});
+    monitor_.info(fmt::format("{} bonds: coordination number {:.4f}, tolerance {:.4f}", simulation_->state().bonds.size(),
+                              bonding_.coordination_number, bonding_.tolerance));
+    time_column_ = curves_.add({"time", "s", "since the first step"});
+    const SimulationView view = simulation_->view();
+    protocol_->setup(view, *simulation_, curves_, monitor_);
+    for (auto& p : posts_) p->begin(view, curves_, monitor_);
+    frames_->begin(options_.folder, monitor_);
+    simulation_->prepare();
+    curves_.open(options_.folder / "curves.csv");
+  }
+
+  void report_packing() {
+    monitor_.info(fmt::format("packing `{}`: {} particles{}", w_.packing.type, packing_.particles.position.size(),
+                              packing_.from_cache ? " (kept from an earlier run)" : ""));
+    for (const AskedGot& line : packing_.particles.report) {
+      const std::string unit = line.unit == "1" ? "" : " " + line.unit;
+      monitor_.info(fmt::format("  {:<36} {:>14}   got {:.6g}{}", line.name, line.asked ? fmt::format("asked {:.6g}", *line.asked) : "", line.got, unit));
+    }
+  }
+
+  /// The full input, and what made the result: running it again gives the same bits.
+  void write_resolved() {
+    Json provenance = {{"breccia", BRECCIA_VERSION}, {"packing_content", packing_.hash}};
+    const auto add = [&](const char* kind, const std::string& name) {
+      const PluginInfo& info = registry_.info(kind, name);
+      provenance["plugins"][std::string(kind) + "/" + name] = info.version + " " + info.sha256;
+    };
+    add("packing", w_.packing.type);
+    add("contact_law", w_.contact_law.type);
+    add("protocol", w_.protocol.type);
+    for (const PluginChoice& c : w_.postprocessors) add("postprocessor", c.type);
+    for (const PluginChoice& c : w_.outputs) add("output", c.type);
+    for (const PluginChoice& c : w_.renderers) add("renderer", c.type);
+    warn_of_changes(provenance);
+    config_["provenance"] = provenance;
+    write_file(options_.folder / "resolved.yaml", "# The full input of this run, defaults included; run it again for the same result.\n" +
+                                                      write_yaml(config_, workflow_schema(), registry_));
+  }
+
+  void warn_of_changes(const Json& now) {
+    const Json& then = w_.provenance;
+    if (then.contains("packing_content") && then["packing_content"] != now["packing_content"])
+      monitor_.warn("the packing is not the one this resolved workflow was made with: results will differ");
+    if (!then.contains("plugins") || !then["plugins"].is_object()) return;
+    for (const auto& [name, made_with] : then["plugins"].items())
+      if (now["plugins"].contains(name) && now["plugins"][name] != made_with)
+        monitor_.warn("plugin " + name + " has changed since this resolved workflow was written: results may differ");
+  }
+
+  void loop() {
+    Simulation& sim = *simulation_;
+    monitor_.info(fmt::format("time step {:.4g} s ({} of the critical), {} pairs, {} thread{}", sim.time_step(), w_.engine.time_step_safety,
+                              sim.state().pairs.size(), monitor_.threads(), monitor_.threads() == 1 ? "" : "s"));
+    for (;;) {
+      auto start = Clock::now();
+      protocol_->step(sim);
+      sim.forces();
+      loop_seconds_ += seconds_since(start);
+      const bool cancelled = monitor_.cancelled();
+      if (sim.state().step % std::uint64_t(w_.sampling.every_steps) == 0 || cancelled) {
+        const bool finished = sample() == Progress::finished;
+        if (finished || cancelled) {
+          interrupted_ = cancelled && !finished;
+          break;
+        }
+      }
+      start = Clock::now();
+      sim.advance();
+      loop_seconds_ += seconds_since(start);
+    }
+    frames_->at(sim.view(), true);
+    frames_->finish();
+    curves_.close();
+  }
+
+  Progress sample() {
+    Simulation& sim = *simulation_;
+    const bool was_loading = sim.loading_started();
+    curves_.set(time_column_, sim.time());
+    SimulationView view = sim.view();
+    const Progress progress = protocol_->sample(view, sim, curves_);
+    if (!was_loading && sim.loading_started()) {
+      view = sim.view();  // reference positions and ledger have just been set
+      for (auto& p : posts_) p->start_of_loading(view);
+    }
+    if (sim.loading_started()) {
+      for (auto& p : posts_) p->sample(view, curves_);
+      curves_.end_row();
+      frames_->at(view, !was_loading);
+    }
+    std::size_t broken = 0;
+    for (const BondState s : view.bonds.state) broken += is_broken(s);
+    monitor_.status({protocol_->share_done(), view.step, view.time, broken, protocol_->status()});
+    return progress;
+  }
+
+  void finish(double wall_seconds) {
+    Simulation& sim = *simulation_;
+    const SimulationView view = sim.view();
+    const std::size_t n = view.particles.size(), bonds = view.bonds.size();
+    summary_.set("workflow", w_.name);
+    summary_.set("interrupted", interrupted_);
+    summary_.set("seed", w_.seed);
+    summary_.set("threads", monitor_.threads());
+    summary_.set("steps", view.step);
+    summary_.set("time_step_s", view.time_step);
+    summary_.set("simulated_time_s", view.time);
+    summary_.set("wall_time_s", wall_seconds);
+    summary_.set("particles", n);
+    summary_.set("bonds", bonds);
+    summary_.set("porosity", packing_porosity());
+    summary_.set("coordination_number", bonding_.coordination_number);
+    summary_.set("bond_tolerance", bonding_.tolerance);
+    summary_.set("ns_per_bond_step", view.step && bonds ? Json(1e9 * loop_seconds_ / double(view.step) / double(bonds)) : Json());
+    summary_.set("neighbour_list_rebuilds", sim.rebuilds());
+    const Json derived = law_->derived();
+    for (const auto& [key, value] : derived.items()) SummaryTable::Section(summary_, w_.contact_law.type).own(key, value);
+    SummaryTable::Section protocol(summary_, w_.protocol.type);
+    protocol_->finish(view, curves_, protocol);
+    for (std::size_t k = 0; k < posts_.size(); ++k) {
+      SummaryTable::Section section(summary_, w_.postprocessors[k].type);
+      posts_[k]->finish(view, curves_, section);
+    }
+    for (const AskedGot& line : packing_.particles.report) {
+      Json entry = {{"unit", line.unit}, {"got", line.got}};
+      if (line.asked) entry["asked"] = *line.asked;
+      SummaryTable::Section(summary_, "packing").own(line.name, entry);
+    }
+    summary_.set("reference", w_.reference);
+    summary_.write(options_.folder / "summary.json");
+  }
+
+  /// Of the container when the packing had one, else of the specimen as measured.
+  double packing_porosity() const {
+    const double container = packing_.particles.container_volume;
+    if (container <= 0) return simulation_->porosity();
+    return 1 - solid_volume(packing_.particles.radius, int(w_.dimension), w_.thickness) / container;
+  }
+
+  void draw() {
+    if (w_.renderers.empty()) return;
+    const auto made = render_all(w_.renderers, registry_, {options_.folder, options_.folder}, monitor_);
+    for (const auto& file : made) monitor_.info("picture " + file.string());
+  }
+
+  const Workflow& w_;
+  Json config_;
+  const Registry& registry_;
+  const RunOptions& options_;
+  RunMonitor& monitor_;
+  std::unique_ptr<ContactLaw> law_;
+  std::unique_ptr<Protocol> protocol_;
+  std::vector<std::unique_ptr<Postprocessor>> posts_;
+  std::unique_ptr<Frames> frames_;
+  PackingOutcome packing_;
+  BondingResult bonding_;
+  std::unique_ptr<Simulation> simulation_;
+  CurveTable curves_;
+  SummaryTable summary_;
+  std::size_t time_column_ = 0;
+  double loop_seconds_ = 0;
+  bool interrupted_ = false;
+};
+
+}  // namespace
+
+RunOutcome run_workflow(const LoadedWorkflow& loaded, const Registry& registry, const RunOptions& options, RunMonitor& monitor) {
+  return Run(loaded, registry, options, monitor)();
+}
+
+}  // namespace breccia

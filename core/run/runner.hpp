@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Runs one workflow from its packing to its pictures.
+#pragma once
+
+#include <filesystem>
+
+#include "breccia/services.hpp"
+#include "run/workflow.hpp"
+
+namespace breccia {
+
+/// What the terminal shows while it runs.
+struct RunStatus {
+  double share_done = 0;          ///< estimate, 0 to 1
+  std::uint64_t step = 0;
+  double time = 0;                ///< [s]
+  std::size_t bonds_broken = 0;
+  std::string protocol_status;
+};
+
+class RunMonitor : public Host {
+ public:
+  virtual void status(const RunStatus& status) = 0;
+
+ protected:
+  ~RunMonitor() = default;
+};
+
+struct RunOptions {
+  std::filesystem::path folder;          ///< exists and is empty
+  std::filesystem::path packing_cache;   ///< empty: packings are not kept
+};
+
+struct RunOutcome {
+  Json summary;
+  bool interrupted = false;
+};
+
+/// UserError for what the user can mend. Stops soon after `monitor.cancelled()`, with all files whole.
+RunOutcome run_workflow(const LoadedWorkflow& loaded, const Registry& registry, const RunOptions& options, RunMonitor& monitor);
+
+}  // namespace breccia

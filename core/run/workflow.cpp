@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/workflow.hpp"
+
+#include <fstream>
+#include <sstream>
+
+#include "config/reader.hpp"
+#include "run/plugin_section.hpp"
+
+namespace breccia {
+
+namespace fs = std::filesystem;
+
+void PluginPath::describe(Schema<PluginPath>& s) {
+  s.param("path", &PluginPath::path).doc("a plugin's shared library, or a folder of them");
+}
+
+void MaterialConfig::describe(Schema<MaterialConfig>& s) {
+  s.param("density", &MaterialConfig::density).unit("kg/m3").above(0).example("2650 kg/m3").doc("of the particles");
+}
+
+void BondingConfig::describe(Schema<BondingConfig>& s) {
+  s.param("tolerance", &BondingConfig::tolerance).above(-1).at_most(4).example("0.1")
+      .doc("bonds are made between all pairs whose centres are within (1 + tolerance) times the sum of their radii");
+  s.param("coordination_number", &BondingConfig::coordination_number).above(0).at_most(60).example("11.89")
+      .doc("mean number of bonds per particle, 2 bonds/particles: the tolerance that gives it is found and reported");
+  s.exactly_one_of({"tolerance", "coordination_number"});
+}
+
+void DampingConfig::describe(Schema<DampingConfig>& s) {
+  s.param("translational", &DampingConfig::translational).at_least(0).below(1).fallback(0.0)
+      .doc("non-viscous damping: force -alpha |F| v/|v| on the undamped resultant F").source("Rojek et al. (2012), Eq. 5");
+  s.param("rotational", &DampingConfig::rotational).at_least(0).below(1).fallback(0.0)
+      .doc("the same for the torque").source("Rojek et al. (2012), Eq. 6");
+}
+
+void EngineConfig::describe(Schema<EngineConfig>& s) {
+  s.param("time_step_safety", &EngineConfig::time_step_safety).above(0).at_most(1).fallback(0.8)
+      .doc("time step as a share of the critical one, which comes from the particles' linearised stiffness");
+  s.param("skin", &EngineConfig::skin).above(0).at_most(2).fallback(0.3)
+      .doc("neighbours this far apart (in mean radii) are followed; larger: longer lists, rebuilt less often");
+}
+
+void SamplingConfig::describe(Schema<SamplingConfig>& s) {
+  s.param("every_steps", &SamplingConfig::every_steps).at_least(1).fallback(50).doc("time steps between two rows of curves.csv");
+}
+
+void Workflow::describe(Schema<Workflow>& s) {
+  const Json none = Json::array(), defaults = Json::object();
+  s.summary("A bonded-particle simulation");
+  s.param("name", &Workflow::name).fallback("").doc("of the result folder; default: the name of the file");
+  s.param("description", &Workflow::description).fallback("").doc("what it shows");
+  s.param("seed", &Workflow::seed).at_least(0).fallback(1).doc("of all random numbers");
+  s.param("dimension", &Workflow::dimension).at_least(2).at_most(3).fallback(3).doc("2: discs that move in the plane z = 0; 3: spheres");
+  s.param("thickness", &Workflow::thickness).unit("m").above(0).fallback(1.0).doc("of the discs, out of plane");
+  s.param("plugins", &Workflow::plugins).fallback(none).doc("plugins from outside Breccia's own folder");
+  s.param("packing", &Workflow::packing).kind("packing").doc("how the particles are arranged");
+  s.param("material", &Workflow::material).doc("of the particles");
+  s.param("bonding", &Workflow::bonding).doc("which neighbours are glued together before loading");
+  s.param("contact_law", &Workflow::contact_law).kind("contact_law").doc("the force between two particles");
+  s.param("damping", &Workflow::damping).fallback(defaults).doc("non-viscous damping of the motion");
+  s.param("protocol", &Workflow::protocol).kind("protocol").doc("the test");
+  s.param("engine", &Workflow::engine).fallback(defaults).doc("numerical settings");
+  s.param("sampling", &Workflow::sampling).fallback(defaults).doc("when curves are measured");
+  s.param("postprocessors", &Workflow::postprocessors).kind("postprocessor").fallback(none).doc("what is measured");
+  s.param("outputs", &Workflow::outputs).kind("output").fallback(none).doc("files of the particles and bonds over time");
+  s.param("renderers", &Workflow::renderers).kind("renderer").fallback(none).doc("pictures, made from those files at the end");
+  s.param("reference", &Workflow::reference).fallback(defaults)
+      .doc("published values to compare with: summary key to value, or text; copied into summary.json");
+  s.param("provenance", &Workflow::provenance).fallback(defaults)
+      .doc("written by Breccia into resolved.yaml: versions and content hashes of what made the result");
+}
+
+const ParamSpec& workflow_schema() {
+  static const Schema<Workflow> schema = [] {
+    Schema<Workflow> s;
+    Workflow::describe(s);
+    return s;
+  }();
+  return schema.documentation().root;
+}
+
+namespace {
+
+std::string read_text(const fs::path& file) {
+  if (fs::is_directory(file)) throw UserError(file.string() + " is a folder; a workflow file is needed");
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw UserError("cannot read " + file.string() + ": " + (fs::exists(file) ? "no permission" : "no such file"));
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+LoadedWorkflow load_workflow(const fs::path& file, const std::vector<std::string>& overrides, Registry& registry) {
+  const std::string text = read_text(file);
+  for (const fs::path& path : plugin_paths(text, file)) registry.add(path);
+  LoadedWorkflow loaded;
+  loaded.config = read_config(text, file.string(), workflow_schema(), registry, overrides);
+  if (loaded.config["name"] == "") loaded.config["name"] = file.stem().string();
+  Schema<Workflow> schema;
+  Workflow::describe(schema);
+  loaded.workflow = schema.load(loaded.config);
+  return loaded;
+}
+
+}  // namespace breccia

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// A workflow: one YAML file that wires the plugins.
+#pragma once
+
+#include <filesystem>
+
+#include "breccia/schema.hpp"
+#include "plugin/registry.hpp"
+
+namespace breccia {
+
+struct PluginPath {
+  std::filesystem::path path;
+  static void describe(Schema<PluginPath>& s);
+};
+
+struct MaterialConfig {
+  double density;
+  static void describe(Schema<MaterialConfig>& s);
+};
+
+struct BondingConfig {
+  std::optional<double> tolerance, coordination_number;
+  static void describe(Schema<BondingConfig>& s);
+};
+
+struct DampingConfig {
+  double translational, rotational;
+  static void describe(Schema<DampingConfig>& s);
+};
+
+struct EngineConfig {
+  double time_step_safety, skin;
+  static void describe(Schema<EngineConfig>& s);
+};
+
+struct SamplingConfig {
+  long every_steps;
+  static void describe(Schema<SamplingConfig>& s);
+};
+
+struct Workflow {
+  std::string name, description;
+  long seed, dimension;
+  double thickness;
+  std::vector<PluginPath> plugins;
+  PluginChoice packing, contact_law, protocol;
+  MaterialConfig material;
+  BondingConfig bonding;
+  DampingConfig damping;
+  EngineConfig engine;
+  SamplingConfig sampling;
+  std::vector<PluginChoice> postprocessors, outputs, renderers;
+  Json reference, provenance;
+
+  static void describe(Schema<Workflow>& s);
+};
+
+/// A workflow that is in order, with the configuration it came from (all defaults filled in).
+struct LoadedWorkflow {
+  Workflow workflow;
+  Json config;
+};
+
+const ParamSpec& workflow_schema();
+
+/// Reads and checks a workflow file; the plugins it names under `plugins:` are added to the registry first.
+/// ConfigError with every problem.
+LoadedWorkflow load_workflow(const std::filesystem::path& file, const std::vector<std::string>& overrides, Registry& registry);
+
+}  // namespace breccia

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "poly_data.hpp"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkStringArray.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkTypeUInt8Array.h>
+
+#include <limits>
+
+namespace breccia::vtk_output {
+namespace {
+
+/// Adds `array` under a name that must be free; the unit travels in VTK's own UNITS_LABEL key.
+void attach(vtkFieldData* data, vtkAbstractArray* array, const std::string& name, const std::string& unit) {
+  if (data->HasArray(name.c_str()))
+    throw UserError("output vtk: two fields are named `" + name + "`; rename the one that a post-processor makes");
+  array->SetName(name.c_str());
+  if (!unit.empty()) array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), unit.c_str());
+  data->AddArray(array);
+}
+
+/// One array of a data set: `get(k)` gives a number or a Vec3.
+template <class Array, class Get>
+void add(vtkFieldData* data, const char* name, const char* unit, std::size_t size, Get&& get) {
+  constexpr int components = std::is_convertible_v<decltype(get(0)), Vec3> ? 3 : 1;
+  vtkNew<Array> array;
+  using Value = typename Array::ValueType;
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(vtkIdType(size));
+  Value* to = array->GetPointer(0);
+  for (std::size_t k = 0; k < size; ++k) {
+    if constexpr (components == 3) {
+      const Vec3 v = get(k);
+      for (int c = 0; c < 3; ++c) *to++ = Value(v[c]);
+    } else {
+      *to++ = Value(get(k));
+    }
+  }
+  attach(data, array, name, unit);
+}
+
+template <class Get>
+void add_real(vtkFieldData* data, Precision precision, const char* name, const char* unit, std::size_t size,
+              Get&& get) {
+  if (precision == Precision::single_precision) add<vtkFloatArray>(data, name, unit, size, get);
+  else add<vtkDoubleArray>(data, name, unit, size, get);
+}
+
+template <class Array> void add_field(vtkFieldData* data, const Field& field) {
+  vtkNew<Array> array;
+  using Value = typename Array::ValueType;
+  array->SetNumberOfComponents(field.components);
+  array->SetNumberOfTuples(vtkIdType(field.values.size()) / field.components);
+  Value* to = array->GetPointer(0);
+  for (const double v : field.values) *to++ = Value(v);
+  attach(data, array, field.name, field.unit);
+}
+
+void add_fields(vtkFieldData* data, std::span<const Field> fields, Field::On on, std::size_t size,
+                Precision precision) {
+  for (const Field& f : fields) {
+    if (f.on != on) continue;
+    if (f.components < 1 || f.values.size() != size * std::size_t(f.components))
+      throw UserError("output vtk: field `" + f.name + "` has " + std::to_string(f.values.size()) + " values, where " +
+                      std::to_string(size) + (on == Field::On::particles ? " particles" : " bonds") + " with " +
+                      std::to_string(f.components) + " components each are written: mend the plugin that makes it");
+    if (precision == Precision::single_precision) add_field<vtkFloatArray>(data, f);
+    else add_field<vtkDoubleArray>(data, f);
+  }
+}
+
+vtkSmartPointer<vtkPoints> points_of(std::span<const Vec3> positions) {
+  static_assert(sizeof(Vec3) == 3 * sizeof(double));
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(vtkIdType(positions.size()));
+  for (std::size_t p = 0; p < positions.size(); ++p) points->SetPoint(vtkIdType(p), positions[p].data());
+  return points;
+}
+
+/// Cells of equal size over the given point numbers, stored in 32 bits.
+template <class Point>
+vtkSmartPointer<vtkCellArray> cells_of(std::size_t cells, int points_per_cell, Point&& point) {
+  vtkNew<vtkTypeInt32Array> offsets, connectivity;
+  offsets->SetNumberOfValues(vtkIdType(cells) + 1);
+  connectivity->SetNumberOfValues(vtkIdType(cells) * points_per_cell);
+  for (std::size_t c = 0; c <= cells; ++c) offsets->SetValue(vtkIdType(c), int(c) * points_per_cell);
+  for (std::size_t c = 0; c < cells; ++c)
+    for (int k = 0; k < points_per_cell; ++k)
+      connectivity->SetValue(vtkIdType(c) * points_per_cell + k, int(point(c, k)));
+  auto array = vtkSmartPointer<vtkCellArray>::New();
+  array->SetData(offsets, connectivity);
+  return array;
+}
+
+/// What holds for the whole frame: its time and the specimen as it was when loading began.
+void add_frame_facts(vtkPolyData* data, const SimulationView& view) {
+  vtkFieldData* facts = data->GetFieldData();
+  add<vtkDoubleArray>(facts, "TimeValue", "s", 1, [&](std::size_t) { return view.time; });
+  add<vtkTypeInt32Array>(facts, "dimension", "", 1, [&](std::size_t) { return view.dimension; });
+  if (!(view.specimen.height > 0)) return;
+  add<vtkDoubleArray>(facts, "specimen_base", "m", 1, [&](std::size_t) { return view.specimen.base; });
+  add<vtkDoubleArray>(facts, "specimen_axis", "1", 1, [&](std::size_t) { return view.specimen.axis; });
+  add<vtkDoubleArray>(facts, "specimen_extent", "m", 1, [&](std::size_t) { return view.specimen.extent; });
+  add<vtkDoubleArray>(facts, "specimen_height", "m", 1, [&](std::size_t) { return view.specimen.height; });
+  vtkNew<vtkStringArray> outline;
+  outline->InsertNextValue(view.specimen.outline == SpecimenShape::Outline::cylinder ? "cylinder" : "box");
+  attach(facts, outline, "specimen_outline", "");
+}
+
+}  // namespace
+
+Bounds bounds_of(const ParticlesView& particles) {
+  if (particles.size() == 0) return {};
+  constexpr double far = std::numeric_limits<double>::infinity();
+  Bounds b{Vec3::Constant(far), Vec3::Constant(-far)};
+  for (std::size_t p = 0; p < particles.size(); ++p) {
+    const Vec3 r = Vec3::Constant(particles.radius[p]);
+    b.low = b.low.cwiseMin(particles.position[p] - r);
+    b.high = b.high.cwiseMax(particles.position[p] + r);
+  }
+  return b;
+}
+
+vtkSmartPointer<vtkPolyData> particle_data(const SimulationView& view, std::span<const Field> fields,
+                                           Precision precision) {
+  const ParticlesView& p = view.particles;
+  const std::size_t n = p.size();
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points_of(p.position));
+  data->SetVerts(cells_of(n, 1, [](std::size_t c, int) { return c; }));  // so that ParaView shows and thresholds them
+  vtkFieldData* on = data->GetPointData();
+  add<vtkDoubleArray>(on, "radius", "m", n, [&](std::size_t k) { return p.radius[k]; });
+  add<vtkTypeInt32Array>(on, "id", "", n, [&](std::size_t k) { return p.id[k]; });
+  add_real(on, precision, "mass", "kg", n, [&](std::size_t k) { return p.mass[k]; });
+  add_real(on, precision, "displacement", "m", n,
+           [&](std::size_t k) -> Vec3 { return p.position[k] - p.initial_position[k]; });
+  add_real(on, precision, "velocity", "m/s", n, [&](std::size_t k) { return p.velocity[k]; });
+  add_real(on, precision, "angular_velocity", "rad/s", n, [&](std::size_t k) { return p.angular_velocity[k]; });
+  add_real(on, precision, "force", "N", n, [&](std::size_t k) { return p.force[k]; });
+  add_fields(on, fields, Field::On::particles, n, precision);
+  add_frame_facts(data, view);
+  return data;
+}
+
+vtkSmartPointer<vtkPolyData> bond_data(const SimulationView& view, std::span<const Field> fields, Precision precision) {
+  const BondsView& b = view.bonds;
+  const std::size_t n = b.size();
+  // A bond that broke and parted has no pair, and no force.
+  const auto force = [&](std::size_t k) -> Vec3 {
+    if (b.pair[k] == BondsView::no_pair) return Vec3::Zero();
+    const PairForce& f = view.pairs.force[b.pair[k]];
+    return {f.fx, f.fy, f.fz};
+  };
+  const auto normal = [&](std::size_t k) -> Vec3 {
+    return (view.particles.position[b.j[k]] - view.particles.position[b.i[k]]).normalized();
+  };
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points_of(view.particles.position));
+  data->SetLines(cells_of(n, 2, [&](std::size_t c, int end) { return end == 0 ? b.i[c] : b.j[c]; }));
+  vtkFieldData* on = data->GetCellData();
+  add<vtkTypeUInt8Array>(on, "state", "", n, [&](std::size_t k) { return std::uint8_t(b.state[k]); });
+  add_real(on, precision, "force", "N", n, force);
+  add_real(on, precision, "force_normal", "N", n, [&](std::size_t k) { return force(k).dot(normal(k)); });
+  add_real(on, precision, "force_shear", "N", n, [&](std::size_t k) {
+    const Vec3 f = force(k), along = normal(k);
+    return (f - f.dot(along) * along).norm();
+  });
+  if (!view.pairs.moment.empty())
+    add_real(on, precision, "moment", "N m", n, [&](std::size_t k) -> Vec3 {
+      return b.pair[k] == BondsView::no_pair ? Vec3::Zero() : view.pairs.moment[b.pair[k]];
+    });
+  add_real(on, precision, "initial_distance", "m", n, [&](std::size_t k) { return b.initial_distance[k]; });
+  add_real(on, precision, "break_time", "s", n, [&](std::size_t k) { return b.break_time[k]; });
+  add_real(on, precision, "break_position", "m", n, [&](std::size_t k) { return b.break_position[k]; });
+  add_real(on, precision, "break_normal", "1", n, [&](std::size_t k) { return b.break_normal[k]; });
+  add_real(on, precision, "crack_radius", "m", n, [&](std::size_t k) {
+    return std::min(view.particles.radius[b.i[k]], view.particles.radius[b.j[k]]);
+  });
+  add_fields(on, fields, Field::On::bonds, n, precision);
+  add_frame_facts(data, view);
+  return data;
+}
+
+vtkSmartPointer<vtkPolyData> wall_data(const SimulationView& view, const Bounds& specimen) {
+  const std::size_t n = view.walls.size();
+  const Vec3 centre = 0.5 * (specimen.low + specimen.high), half = 0.5 * (specimen.high - specimen.low);
+  std::vector<Vec3> corners;
+  for (const WallView& w : view.walls) {
+    // Tangents from the coordinate axis farthest from the normal: squares stay aligned with the specimen.
+    int least = 0;
+    w.normal.cwiseAbs().minCoeff(&least);
+    const Vec3 a = w.normal.cross(Vec3::Unit(least)).normalized(), b = w.normal.cross(a);
+    const double side = 1.15 * std::max(half.dot(a.cwiseAbs()), half.dot(b.cwiseAbs()));
+    const Vec3 middle = centre - (centre - w.point).dot(w.normal) * w.normal;
+    for (const auto& [s, t] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+      corners.push_back(middle + side * (s * a + t * b));
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points_of(corners));
+  data->SetPolys(cells_of(n, 4, [](std::size_t c, int k) { return 4 * c + std::size_t(k); }));
+  vtkFieldData* on = data->GetCellData();
+  vtkNew<vtkStringArray> names;
+  for (const WallView& w : view.walls) names->InsertNextValue(w.name);
+  attach(on, names, "name", "");
+  add<vtkDoubleArray>(on, "force", "N", n, [&](std::size_t k) { return view.walls[k].force; });
+  add<vtkDoubleArray>(on, "displacement", "m", n, [&](std::size_t k) { return view.walls[k].displacement; });
+  add<vtkDoubleArray>(on, "velocity", "m/s", n, [&](std::size_t k) { return view.walls[k].velocity; });
+  add<vtkDoubleArray>(on, "normal", "1", n, [&](std::size_t k) { return view.walls[k].normal; });
+  add<vtkTypeInt32Array>(on, "contacts", "", n, [&](std::size_t k) { return int(view.walls[k].contacts); });
+  add_frame_facts(data, view);
+  return data;
+}
+
+}  // namespace breccia::vtk_output

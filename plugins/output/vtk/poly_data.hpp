@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Views of the simulation as VTK poly data: particles as vertices, bonds as lines, walls as quads.
+#pragma once
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include "breccia/services.hpp"
+#include "breccia/views.hpp"
+
+namespace breccia::vtk_output {
+
+enum class Precision { single_precision, double_precision };
+
+/// Corners of a box around the particles, surfaces included [m].
+struct Bounds {
+  Vec3 low = Vec3::Zero(), high = Vec3::Zero();
+};
+Bounds bounds_of(const ParticlesView& particles);
+
+/// Centres and radii are always written in double precision: a frame can serve as a packing without loss.
+/// A field of the wrong length, or one whose name is taken, is a UserError.
+vtkSmartPointer<vtkPolyData> particle_data(const SimulationView& view, std::span<const Field> fields,
+                                           Precision precision);
+vtkSmartPointer<vtkPolyData> bond_data(const SimulationView& view, std::span<const Field> fields, Precision precision);
+/// Each wall as a square a little larger than `specimen`.
+vtkSmartPointer<vtkPolyData> wall_data(const SimulationView& view, const Bounds& specimen);
+
+}  // namespace breccia::vtk_output

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "series.hpp"
+
+#include <vtkCallbackCommand.h>
+#include <vtkErrorCode.h>
+#include <vtkExecutive.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLDataElement.h>
+#include <vtkXMLPolyDataWriter.h>
+#include <vtkXMLUtilities.h>
+
+#include <charconv>
+#include <fstream>
+
+#include "breccia/error.hpp"
+
+namespace breccia::vtk_output {
+namespace fs = std::filesystem;
+namespace {
+
+[[noreturn]] void fail(const fs::path& file, const std::string& why) {
+  throw UserError("output vtk: cannot write " + file.string() + ": " + why);
+}
+
+/// Beside the file, so that the rename stays on one disk.
+fs::path unfinished(const fs::path& file) { return file.string() + ".part"; }
+
+void give_final_name(const fs::path& file) {
+  std::error_code error;
+  fs::rename(unfinished(file), file, error);
+  if (error) fail(file, error.message());
+}
+
+[[noreturn]] void give_up(const fs::path& file, const std::string& why) {
+  std::error_code ignored;
+  fs::remove(unfinished(file), ignored);
+  fail(file, why);
+}
+
+/// Shortest text that reads back as the same number.
+std::string number(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+void write_poly_data(vtkPolyData* data, const fs::path& file) {
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  // Errors are reported below: an observer keeps VTK from printing its own text.
+  vtkNew<vtkCallbackCommand> silent;
+  silent->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+  writer->AddObserver(vtkCommand::ErrorEvent, silent);
+  writer->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silent);
+  writer->SetFileName(unfinished(file).c_str());
+  writer->SetInputData(data);
+  writer->SetDataModeToBinary();  // inline: ParaView 5.11 with a recent libexpat cannot read appended data
+  writer->SetCompressorTypeToLZ4();
+  const bool wrote = writer->Write() != 0;
+  const unsigned long code = writer->GetErrorCode();  // Write() answers 1 even on a full disk
+  if (!wrote || code != vtkErrorCode::NoError) give_up(file, vtkErrorCode::GetStringFromErrorCode(code));
+  give_final_name(file);
+}
+
+}  // namespace
+
+Series::Series(fs::path directory, std::string name) : directory_(std::move(directory)), name_(std::move(name)) {}
+
+void Series::resume(double time) {
+  const fs::path collection = directory_ / (name_ + ".pvd");
+  if (!fs::exists(collection)) return;
+  const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(collection.c_str()));
+  vtkXMLDataElement* list = root ? root->FindNestedElementWithName("Collection") : nullptr;
+  for (int k = 0; list && k < list->GetNumberOfNestedElements(); ++k) {
+    vtkXMLDataElement* e = list->GetNestedElement(k);
+    double at = 0;
+    const char* file = e->GetAttribute("file");
+    if (!file || !e->GetScalarAttribute("timestep", at) || at >= time) break;
+    entries_.push_back({at, file});
+  }
+}
+
+void Series::append(vtkPolyData* data, double time) {
+  if (!started_) resume(time);
+  started_ = true;
+  std::string count = std::to_string(entries_.size());
+  if (count.size() < 6) count.insert(0, 6 - count.size(), '0');
+  const std::string file = name_ + "_" + count + ".vtp";
+  write_poly_data(data, directory_ / file);
+  entries_.push_back({time, file});
+  write_collection();
+}
+
+void Series::write_collection() const {
+  const fs::path file = directory_ / (name_ + ".pvd");
+  std::ofstream out(unfinished(file));
+  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
+  for (const Entry& e : entries_)
+    out << "    <DataSet timestep=\"" << number(e.time) << "\" part=\"0\" file=\"" << e.file << "\"/>\n";
+  out << "  </Collection>\n</VTKFile>\n";
+  out.close();
+  if (!out) give_up(file, "the disk is full or the folder cannot be written");
+  give_final_name(file);
+}
+
+}  // namespace breccia::vtk_output

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Frames for ParaView and every other reader of VTK's XML formats.
+#include <optional>
+
+#include "breccia/output.hpp"
+#include "poly_data.hpp"
+#include "series.hpp"
+
+namespace breccia {
+
+class VtkOutput final : public Output {
+ public:
+  struct Config {
+    double interval;
+    vtk_output::Precision precision;
+    bool bonds, walls;
+  };
+
+  static void describe(Schema<Config>& s) {
+    s.summary("Particles, bonds and walls as VTK files (.vtp) with time series (.pvd) for ParaView")
+        .details(
+            "Writes `particles_NNNNNN.vtp`, `bonds_NNNNNN.vtp` and `walls_NNNNNN.vtp` with `particles.pvd`, "
+            "`bonds.pvd` "
+            "and `walls.pvd`. The README of the plugin lists the arrays. Each array's unit is its `UNITS_LABEL` "
+            "information key; all are SI.")
+        .source("VTK file formats, version 9.1 (inline binary, LZ4)");
+    s.param("interval", &Config::interval).unit("s").above(0).fallback(1e-4).example("0.1 ms")
+        .doc("time between frames; the first and the last state are always written");
+    s.param("precision", &Config::precision)
+        .choice("single", vtk_output::Precision::single_precision, "32 bits")
+        .choice("double", vtk_output::Precision::double_precision, "64 bits: files about twice as large")
+        .doc("of the fields; centres and radii are always written in 64 bits")
+        .fallback("single");
+    s.param("bonds", &Config::bonds).fallback(true).doc("write the bonds; pictures of cracks need them");
+    s.param("walls", &Config::walls).fallback(true).doc("write the walls");
+  }
+
+  explicit VtkOutput(const Config& config) : config_(config) {}
+
+  void begin(const std::filesystem::path& directory, Host&) override {
+    std::error_code error;
+    std::filesystem::create_directories(directory, error);
+    if (error) throw UserError("output vtk: cannot make the folder " + directory.string() + ": " + error.message());
+    particles_.emplace(directory, "particles");
+    bonds_.emplace(directory, "bonds");
+    walls_.emplace(directory, "walls");
+    specimen_.reset();
+  }
+
+  void frame(const SimulationView& view, std::span<const Field> fields) override {
+    BRECCIA_ASSERT(particles_.has_value());
+    // The walls keep the size of the first frame, however far fragments fly.
+    if (!specimen_) specimen_ = vtk_output::bounds_of(view.particles);
+    particles_->append(vtk_output::particle_data(view, fields, config_.precision), view.time);
+    if (config_.bonds) bonds_->append(vtk_output::bond_data(view, fields, config_.precision), view.time);
+    if (config_.walls && !view.walls.empty()) walls_->append(vtk_output::wall_data(view, *specimen_), view.time);
+  }
+
+  double interval() const override { return config_.interval; }
+
+ private:
+  Config config_;
+  std::optional<vtk_output::Series> particles_, bonds_, walls_;
+  std::optional<vtk_output::Bounds> specimen_;
+};
+
+}  // namespace breccia
+
+BRECCIA_PLUGIN(breccia::VtkOutput, "output", "vtk")

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// A packing made elsewhere: a table of spheres, or a frame of an earlier run.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "breccia/cell_grid.hpp"
+#include "breccia/packing.hpp"
+#include "spheres.hpp"
+
+namespace breccia {
+
+enum class LengthUnit { metre, centimetre, millimetre, micrometre, inch };
+enum class AxisName { x, y, z };
+
+class FromFile final : public Packing {
+ public:
+  struct Config {
+    std::filesystem::path file;
+    std::optional<LengthUnit> length_unit;
+    SpecimenShape::Outline outline;
+    std::optional<AxisName> axis;
+  };
+
+  static void describe(Schema<Config>& s) {
+    s.summary("Spheres or discs read from a .csv table or a .vtp file")
+        .details(
+            "CSV: the first line names the columns `x`, `y`, `z` and `radius` in any order, separated by commas, "
+            "semicolons or tabs; `#` starts a comment; other columns are ignored with a note. VTP: points in metres "
+            "and a "
+            "point array `radius` in metres, such as a frame of the output `vtk`. In two dimensions z is zero, and the "
+            "column may be missing.");
+    s.param("file", &Config::file).example("specimen.csv").doc("the .csv or .vtp file");
+    s.param("length_unit", &Config::length_unit)
+        .choice("m", LengthUnit::metre, "metre").choice("cm", LengthUnit::centimetre, "centimetre")
+        .choice("mm", LengthUnit::millimetre, "millimetre").choice("um", LengthUnit::micrometre, "micrometre")
+        .choice("in", LengthUnit::inch, "inch, 25.4 mm")
+        .doc("of all columns of a .csv file; a .vtp file is always in metres").example("mm");
+    s.param("outline", &Config::outline)
+        .choice("cylinder", SpecimenShape::Outline::cylinder, "a cylinder along `axis`")
+        .choice("box", SpecimenShape::Outline::box,
+                "a box with faces normal to x, y and z; a rectangle in two dimensions")
+        .doc("what the spheres fill: cross-section and volume are measured accordingly");
+    s.param("axis", &Config::axis)
+        .choice("x", AxisName::x, "along x").choice("y", AxisName::y, "along y").choice("z", AxisName::z, "along z")
+        .doc("of the cylinder, or the long direction of the box; z unless given, y in two dimensions").example("z");
+    s.check([](const Config& c, Issues& issues) {
+      const std::string type = c.file.extension();
+      if (type != ".csv" && type != ".vtp")
+        issues.push_back({"file", "`" + c.file.string() + "` is neither a .csv nor a .vtp file"});
+#ifndef BRECCIA_HAS_VTK
+      if (type == ".vtp")
+        issues.push_back(
+            {"file", "this build reads .csv files only, because it was made without VTK; convert the file"});
+#endif
+      if (type == ".csv" && !c.length_unit)
+        issues.push_back(
+            {"length_unit", "a .csv file has no unit of its own: add `length_unit`, one of m, cm, mm, um, in"});
+      if (type == ".vtp" && c.length_unit && *c.length_unit != LengthUnit::metre)
+        issues.push_back({"length_unit", "a .vtp file is in metres: leave `length_unit` out"});
+    });
+  }
+
+  explicit FromFile(const Config& config) : config_(config) {}
+
+  std::vector<std::filesystem::path> inputs() const override { return {config_.file}; }
+
+  PackedParticles generate(const PackingRequest& request, Host& host) override {
+    const bool flat = request.dimension == 2;
+    const AxisName axis = config_.axis.value_or(flat ? AxisName::y : AxisName::z);
+    if (flat && config_.outline == SpecimenShape::Outline::cylinder)
+      throw UserError("packing from_file: in two dimensions the outline must be `box`");
+    if (flat && axis == AxisName::z) throw UserError("packing from_file: in two dimensions the axis must be x or y");
+
+    from_file::Spheres spheres = read(!flat);
+    check(spheres, flat);
+    for (const std::string& column : spheres.ignored)
+      host.info("packing from_file: column `" + column + "` of " + config_.file.string() + " is not used");
+
+    PackedParticles packed;
+    packed.outline = config_.outline;
+    packed.axis = Vec3::Unit(int(axis));
+    const auto& r = spheres.radius;
+    packed.report = {{"particles", "1", {}, double(r.size())},
+                     {"radius_min", "m", {}, *std::min_element(r.begin(), r.end())},
+                     {"radius_mean", "m", {}, std::accumulate(r.begin(), r.end(), 0.0) / double(r.size())},
+                     {"radius_max", "m", {}, *std::max_element(r.begin(), r.end())}};
+    packed.position = std::move(spheres.position);
+    packed.radius = std::move(spheres.radius);
+    return packed;
+  }
+
+ private:
+  from_file::Spheres read(bool needs_z) const {
+#ifdef BRECCIA_HAS_VTK
+    if (config_.file.extension() == ".vtp") return from_file::read_vtp(config_.file);
+#endif
+    BRECCIA_ASSERT(config_.length_unit.has_value());
+    return from_file::read_csv(config_.file, metres(*config_.length_unit), needs_z);
+  }
+
+  static double metres(LengthUnit unit) {
+    switch (unit) {
+      case LengthUnit::metre: return 1;
+      case LengthUnit::centimetre: return 1e-2;
+      case LengthUnit::millimetre: return 1e-3;
+      case LengthUnit::micrometre: return 1e-6;
+      case LengthUnit::inch: return 25.4e-3;
+    }
+    return 1;
+  }
+
+  void check(const from_file::Spheres& s, bool flat) const {
+    if (s.radius.empty()) throw UserError(config_.file.string() + " holds no particle");
+    double smallest = s.radius[0];
+    for (std::size_t k = 0; k < s.radius.size(); ++k) {
+      const auto fail = [&](const std::string& text) { throw UserError(s.where(config_.file, k) + ": " + text); };
+      if (!s.position[k].allFinite()) fail("the centre is not finite");
+      if (!std::isfinite(s.radius[k])) fail("the radius is not finite");
+      if (!(s.radius[k] > 0)) fail("the radius must be above 0");
+      if (flat && s.position[k].z() != 0) fail("z must be 0 in two dimensions");
+      smallest = std::min(smallest, s.radius[k]);
+    }
+    // Closer than this, the line of centres (the contact normal) would be rounding noise.
+    const double too_close = 1e-6 * smallest;
+    CellGrid(s.position, too_close).for_each_pair([&](Index i, Index j) {
+      if ((s.position[i] - s.position[j]).norm() <= too_close)
+        throw UserError(s.where(config_.file, j) + ": the same centre as " +
+                        (s.line.empty() ? "point " + std::to_string(i) : "line " + std::to_string(s.line[i])));
+    });
+  }
+
+  Config config_;
+};
+
+}  // namespace breccia
+
+BRECCIA_PLUGIN(breccia::FromFile, "packing", "from_file")

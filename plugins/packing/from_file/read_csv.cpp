@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <fstream>
+#include <optional>
+
+#include "breccia/error.hpp"
+#include "spheres.hpp"
+
+namespace breccia::from_file {
+namespace {
+
+constexpr std::array<const char*, 4> names{"x", "y", "z", "radius"};
+using Columns = std::array<std::optional<std::size_t>, 4>;
+
+std::string_view trimmed(std::string_view s) {
+  constexpr std::string_view blank = " \t\r";
+  const auto first = s.find_first_not_of(blank);
+  if (first == s.npos) return {};
+  s = s.substr(first, s.find_last_not_of(blank) - first + 1);
+  if (s.size() >= 2 && s.front() == '"' && s.back() == '"') s = s.substr(1, s.size() - 2);
+  return s;
+}
+
+std::vector<std::string_view> cells_of(std::string_view line, char separator) {
+  std::vector<std::string_view> cells;
+  for (std::size_t at = 0;;) {
+    const auto end = line.find(separator, at);
+    cells.push_back(trimmed(line.substr(at, end - at)));
+    if (end == line.npos) return cells;
+    at = end + 1;
+  }
+}
+
+[[noreturn]] void fail(const std::filesystem::path& file, std::size_t line, const std::string& text) {
+  throw UserError(file.string() + ", line " + std::to_string(line) + ": " + text);
+}
+
+Columns find_columns(const std::filesystem::path& file, std::size_t line, const std::vector<std::string_view>& header,
+                     bool needs_z, std::vector<std::string>& ignored) {
+  Columns columns;
+  std::string found;
+  for (std::size_t c = 0; c < header.size(); ++c) {
+    found.append(c ? ", `" : "`").append(header[c]).append("`");
+    const auto known = std::find(names.begin(), names.end(), header[c]);
+    if (known == names.end()) {
+      ignored.emplace_back(header[c]);
+      continue;
+    }
+    auto& column = columns[std::size_t(known - names.begin())];
+    if (column) fail(file, line, "there are two columns `" + std::string(header[c]) + "`");
+    column = c;
+  }
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (!columns[k] && (k != 2 || needs_z))
+      fail(file, line, "no column `" + std::string(names[k]) + "`: the first line must name the columns x, y, z and "
+                       "radius, in any order; it names " + found);
+  return columns;
+}
+
+double number(const std::filesystem::path& file, std::size_t line, const char* column, std::string_view text) {
+  double value = 0;
+  const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  if (text.empty() || error != std::errc() || stop != end)
+    fail(file, line, std::string(column) + " is `" + std::string(text) + "`, which is not a number");
+  return value;
+}
+
+}  // namespace
+
+Spheres read_csv(const std::filesystem::path& file, double unit, bool needs_z) {
+  std::ifstream in(file);
+  std::error_code ignored_error;
+  if (!in || std::filesystem::is_directory(file, ignored_error))
+    throw UserError("cannot read the packing file " + file.string());
+  Spheres spheres;
+  std::optional<Columns> columns;
+  std::size_t width = 0, line = 0;
+  char separator = ',';
+  std::string text;
+  while (std::getline(in, text)) {
+    std::string_view content = text;
+    if (++line == 1 && content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);  // byte order mark
+    content = content.substr(0, content.find('#'));
+    if (trimmed(content).empty()) continue;
+    if (!columns) {
+      for (const char c : {',', ';', '\t'})
+        if (content.find(c) != content.npos) { separator = c; break; }
+      const auto header = cells_of(content, separator);
+      width = header.size();
+      columns = find_columns(file, line, header, needs_z, spheres.ignored);
+      continue;
+    }
+    const auto cells = cells_of(content, separator);
+    if (cells.size() != width)
+      fail(file, line,
+           std::to_string(cells.size()) + " values, where the first line names " + std::to_string(width) + " columns");
+    double value[4] = {0, 0, 0, 0};
+    for (std::size_t k = 0; k < names.size(); ++k)
+      if ((*columns)[k]) value[k] = unit * number(file, line, names[k], cells[*(*columns)[k]]);
+    spheres.position.emplace_back(value[0], value[1], value[2]);
+    spheres.radius.push_back(value[3]);
+    spheres.line.push_back(line);
+  }
+  if (in.bad())
+    throw UserError("reading the packing file " + file.string() + " failed after line " + std::to_string(line));
+  if (!columns) throw UserError(file.string() + " is empty: its first line must name the columns x, y, z and radius");
+  return spheres;
+}
+
+}  // namespace breccia::from_file

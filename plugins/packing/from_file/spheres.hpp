@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Spheres as a file states them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "breccia/types.hpp"
+
+namespace breccia::from_file {
+
+struct Spheres {
+  std::vector<Vec3> position;       ///< [m]
+  std::vector<double> radius;       ///< [m]
+  std::vector<std::size_t> line;    ///< of the text file; empty when there are no lines to point at
+  std::vector<std::string> ignored; ///< columns that were not used
+
+  /// "packing.csv, line 12" or "packing.vtp, point 10".
+  std::string where(const std::filesystem::path& file, std::size_t k) const {
+    return file.string() + (line.empty() ? ", point " + std::to_string(k) : ", line " + std::to_string(line[k]));
+  }
+};
+
+/// A table with the columns x, y, z and radius in any order, all in one unit of length of `unit` metres. Without
+/// `needs_z` the column z may be missing. UserError with the line number for what is not a number.
+Spheres read_csv(const std::filesystem::path& file, double unit, bool needs_z);
+
+/// Points in metres with the point array `radius` in metres: a frame of the output `vtk`, for example.
+Spheres read_vtp(const std::filesystem::path& file);
+
+}  // namespace breccia::from_file

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "labra_onate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "optimiser.hpp"
+#include "quality.hpp"
+
+namespace breccia::labra_onate {
+
+namespace {
+// With fewer spheres the loops are so short that waiting for each other costs more than the threads bring.
+constexpr std::size_t worth_threads = 20000;
+
+/// Of equally long sides the last: z before y before x.
+Vec3 long_direction(const Container& box) {
+  int at = box.dimension() - 1;
+  for (int k = at - 1; k >= 0; --k)
+    if (box.size()[k] > box.size()[at]) at = k;
+  return Vec3::Unit(at);
+}
+}  // namespace
+
+PackedParticles LabraOnate::generate(const PackingRequest& request, Host& host) {
+  BRECCIA_ASSERT(request.dimension == 2 || request.dimension == 3);
+  const Container box = make_container(config_.container, request.dimension);
+  const RadiusLaw law = make_radius_law(config_.radius);
+  const Sizes sizes = choose_sizes(config_, law, box, host);
+  const std::size_t n = sizes.radii.size();
+
+  OptimiserSettings settings;
+  const double neighbours = config_.neighbours_per_particle.value_or(request.dimension == 2 ? 5.0 : 12.0);
+  settings.pairs = std::max<std::size_t>(1, std::size_t(std::llround(0.5 * neighbours * double(n))));
+  settings.max_iterations = int(config_.max_iterations);
+  settings.tolerance = config_.tolerance;
+  settings.threads = n < worth_threads ? 1 : std::max(1, host.threads());
+
+  Optimiser optimiser(box, sizes.radii, settings, host);
+  Spheres s = optimiser.arrange(request.seed);
+  optimiser.optimise_all(s);
+  const StageRecord last = optimiser.optimise_centres(s);
+  if (!last.converged)
+    host.warn("the packing still improved when max_iterations was reached: raise it for a better one");
+  host.progress("packing", 1);
+
+  const Quality quality = measure(s, box, NeighbourFinder(box, settings.threads).find(s, settings.pairs));
+  char line[200];
+  std::snprintf(line, sizeof line, "packed %zu particles: porosity %.4f, %.2f neighbours each within %.3f of touching",
+                n, quality.porosity, quality.neighbours, quality.tolerance);
+  host.info(line);
+
+  PackedParticles packed;
+  packed.report = report(quality, config_, law, sizes.factor, neighbours, box, n);
+  packed.position = std::move(s.x);
+  packed.radius = std::move(s.r);
+  packed.outline = box.round() ? SpecimenShape::Outline::cylinder : SpecimenShape::Outline::box;
+  packed.axis = box.round() ? Vec3::Unit(2) : long_direction(box);
+  packed.container_volume = box.measure() * (request.dimension == 2 ? request.thickness : 1.0);
+  return packed;
+}
+
+}  // namespace breccia::labra_onate
+
+BRECCIA_PLUGIN(breccia::labra_onate::LabraOnate, "packing", "labra_onate")

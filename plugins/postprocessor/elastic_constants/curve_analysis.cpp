@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "curve_analysis.hpp"
+
+#include <algorithm>
+
+namespace breccia {
+namespace {
+
+CurvePoint between(const StressStrainCurve& c, std::size_t row, double level) {
+  const double rise = c.stress[row] - c.stress[row - 1];
+  const double t = rise != 0 ? (level - c.stress[row - 1]) / rise : 1.0;
+  const auto at = [&](const std::vector<double>& v) { return v[row - 1] + t * (v[row] - v[row - 1]); };
+  return {level, at(c.strain), at(c.lateral)};
+}
+
+CurvePoint at_row(const StressStrainCurve& c, std::size_t row) { return {c.stress[row], c.strain[row], c.lateral[row]}; }
+
+}  // namespace
+
+Peak find_peak(const StressStrainCurve& c) {
+  Peak p;
+  p.row = std::size_t(std::max_element(c.stress.begin(), c.stress.end()) - c.stress.begin());
+  p.stress = c.stress[p.row];
+  p.strain = c.strain[p.row];
+  p.passed = *std::min_element(c.stress.begin() + long(p.row), c.stress.end()) < 0.95 * p.stress;
+  return p;
+}
+
+FitRange loading_range(const StressStrainCurve& c, double lower, double upper) {
+  FitRange r;
+  while (r.end < c.stress.size() && c.stress[r.end] <= upper) ++r.end;
+  r.begin = r.end;
+  while (r.begin > 0 && c.stress[r.begin - 1] >= lower) --r.begin;
+  return r;
+}
+
+std::optional<Line> fit_line(const std::vector<double>& x, const std::vector<double>& y, const FitRange& range) {
+  if (range.size() < 3) return {};
+  const double count = double(range.size());
+  double mean_x = 0, mean_y = 0;
+  for (std::size_t k = range.begin; k < range.end; ++k) {
+    mean_x += x[k] / count;
+    mean_y += y[k] / count;
+  }
+  double xx = 0, xy = 0, yy = 0;
+  for (std::size_t k = range.begin; k < range.end; ++k) {
+    xx += (x[k] - mean_x) * (x[k] - mean_x);
+    xy += (x[k] - mean_x) * (y[k] - mean_y);
+    yy += (y[k] - mean_y) * (y[k] - mean_y);
+  }
+  if (!(xx > 0)) return {};
+  return Line{xy / xx, yy > 0 ? xy * xy / (xx * yy) : 1.0};
+}
+
+std::optional<CurvePoint> first_rise_to(const StressStrainCurve& c, double level) {
+  for (std::size_t row = 0; row < c.stress.size(); ++row)
+    if (c.stress[row] >= level) return row == 0 ? at_row(c, row) : between(c, row, level);
+  return {};
+}
+
+std::optional<CurvePoint> first_fall_to(const StressStrainCurve& c, double level, std::size_t after) {
+  for (std::size_t row = after + 1; row < c.stress.size(); ++row)
+    if (c.stress[row] <= level) return between(c, row, level);
+  return {};
+}
+
+}  // namespace breccia

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// What is read off a stress-strain curve: peak, slopes, secants, brittleness. The curve rises in its own sense: loading
+/// makes stress and strain grow.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace breccia {
+
+struct StressStrainCurve {
+  std::vector<double> stress, strain, lateral;  ///< [Pa], [1], [1]; one value per sample
+};
+
+struct Peak {
+  std::size_t row = 0;
+  double stress = 0, strain = 0;
+  bool passed = false;  ///< the stress fell afterwards by more than a twentieth
+};
+
+struct Line {
+  double slope = 0, r2 = 0;  ///< r2: coefficient of determination
+};
+
+struct FitRange {
+  std::size_t begin = 0, end = 0;  ///< samples [begin, end)
+  std::size_t size() const { return end - begin; }
+};
+
+/// A point of the curve between two samples.
+struct CurvePoint {
+  double stress = 0, strain = 0, lateral = 0;
+};
+
+/// The largest stress; the first when it is reached twice. Needs at least one sample.
+Peak find_peak(const StressStrainCurve& c);
+
+/// The samples on the way to `upper`, from where the stress last left `lower` behind [Pa].
+FitRange loading_range(const StressStrainCurve& c, double lower, double upper);
+
+/// Least squares y = a + b x over the range; nothing with fewer than three samples or when x does not change.
+std::optional<Line> fit_line(const std::vector<double>& x, const std::vector<double>& y, const FitRange& range);
+
+/// Where the stress first reaches `level` [Pa], or, from row `after` on, first falls to it; interpolated.
+std::optional<CurvePoint> first_rise_to(const StressStrainCurve& c, double level);
+std::optional<CurvePoint> first_fall_to(const StressStrainCurve& c, double level, std::size_t after);
+
+}  // namespace breccia

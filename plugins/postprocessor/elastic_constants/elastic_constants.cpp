@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Young's modulus, Poisson's ratio, peak and brittleness from the curves of the run.
+/// Source: ISRM (1979), Suggested methods for determining the uniaxial compressive strength and deformability of rock
+/// materials, Int. J. Rock Mech. Min. Sci. 16, 135-140.
+#include <string>
+
+#include "breccia/postprocessor.hpp"
+#include "curve_analysis.hpp"
+
+namespace breccia {
+namespace {
+
+enum class Modulus { average, secant };
+enum class Sense { compression, tension };
+
+template <class T> Json or_null(const std::optional<T>& value) { return value ? Json(*value) : Json(); }
+
+std::optional<double> ratio(double a, double b) {
+  if (b == 0) return {};
+  return a / b;
+}
+
+}  // namespace
+
+class ElasticConstants final : public Postprocessor {
+ public:
+  struct Config {
+    std::string stress, strain, lateral;
+    Modulus modulus;
+    Sense sense;
+    double range_lower, range_upper, secant_at;
+  };
+  static void describe(Schema<Config>& s) {
+    s.summary("Young's modulus, Poisson's ratio, peak stress and brittleness from the curves of the run")
+        .source("ISRM (1979), Int. J. Rock Mech. Min. Sci. 16, 135-140; Rojek et al. (2012), Eq. 61")
+        .details(
+            "`average`: least-squares slope of the samples from `range_lower` to `range_upper` of the peak stress, on the "
+            "first way up (ISRM's average modulus of the straight part). `secant`: from the origin to `secant_at` of the "
+            "peak. Poisson's ratio is lateral over axial strain, taken in the same way. Name the stress `deviatoric_stress` "
+            "in a confined test, so that it starts at zero.");
+    s.param("stress", &Config::stress).fallback("axial_stress").doc("curve of the stress, compression positive");
+    s.param("strain", &Config::strain).fallback("axial_strain").doc("curve of the axial strain, compression positive");
+    s.param("lateral", &Config::lateral).fallback("lateral_strain").doc("curve of the lateral strain, extension positive");
+    s.param("sense", &Config::sense)
+        .choice("compression", Sense::compression, "the curves grow with the load")
+        .choice("tension", Sense::tension, "a tension test: all three curves are taken with the opposite sign")
+        .doc("which way the specimen is loaded")
+        .fallback("compression");
+    s.param("modulus", &Config::modulus)
+        .choice("average", Modulus::average, "slope of the straight part")
+        .choice("secant", Modulus::secant, "secant from the origin")
+        .doc("what the headline modulus and Poisson's ratio are; the summary has both")
+        .fallback("average");
+    s.param("range_lower", &Config::range_lower).at_least(0).below(1).fallback(0.1)
+        .doc("share of the peak stress where the straight part begins, past seating");
+    s.param("range_upper", &Config::range_upper).above(0).at_most(1).fallback(0.4)
+        .doc("share of the peak stress where the straight part ends, before cracks begin to grow");
+    s.param("secant_at", &Config::secant_at).above(0).at_most(1).fallback(0.5).doc("share of the peak stress of the secant");
+    s.check([](const Config& c, Issues& issues) {
+      if (c.range_lower >= c.range_upper) issues.push_back({"range_lower", "must be less than range_upper"});
+    });
+  }
+
+  explicit ElasticConstants(const Config& config) : config_(config) {}
+
+  void finish(const SimulationView&, const Curves& curves, Summary& summary) override {
+    const StressStrainCurve c{load(curves, config_.stress), load(curves, config_.strain), load(curves, config_.lateral)};
+    const Peak peak = c.stress.empty() ? Peak{} : find_peak(c);
+    if (!(peak.stress > 0)) {
+      for (const char* key : {"youngs_modulus_Pa", "poisson_ratio", "peak_stress_Pa", "peak_strain"})
+        summary.headline(key, nullptr);
+      summary.headline("peak_reached", false);
+      summary.own("note", "the stress never rose above zero in " + name_of_sense());
+      return;
+    }
+    const FitRange range = loading_range(c, config_.range_lower * peak.stress, config_.range_upper * peak.stress);
+    const auto slope = fit_line(c.strain, c.stress, range), lateral = fit_line(c.strain, c.lateral, range);
+    const auto secant = first_rise_to(c, config_.secant_at * peak.stress);
+    const auto slope_modulus = slope ? std::optional(slope->slope) : std::nullopt;
+    const auto slope_poisson = lateral ? std::optional(lateral->slope) : std::nullopt;
+    const auto secant_modulus = secant ? ratio(secant->stress, secant->strain) : std::nullopt;
+    const auto secant_poisson = secant ? ratio(secant->lateral, secant->strain) : std::nullopt;
+
+    const bool average = config_.modulus == Modulus::average;
+    summary.headline("youngs_modulus_Pa", or_null(average ? slope_modulus : secant_modulus));
+    summary.headline("poisson_ratio", or_null(average ? slope_poisson : secant_poisson));
+    summary.headline("peak_stress_Pa", peak.stress);
+    summary.headline("peak_strain", peak.strain);
+    summary.headline("peak_reached", peak.passed);
+
+    summary.own("sense", name_of_sense());
+    summary.own("modulus", average ? "average" : "secant");
+    summary.own("average", Json{{"youngs_modulus_Pa", or_null(slope_modulus)}, {"poisson_ratio", or_null(slope_poisson)},
+                                {"range", fit_report(c, range, slope, lateral)}});
+    summary.own("secant", Json{{"youngs_modulus_Pa", or_null(secant_modulus)}, {"poisson_ratio", or_null(secant_poisson)},
+                               {"share_of_peak", config_.secant_at}});
+    const auto half = first_fall_to(c, 0.5 * peak.stress, peak.row);
+    summary.own("after_peak", Json{{"last_stress_over_peak", c.stress.back() / peak.stress},
+                                   {"strain_to_half_of_peak", half ? Json(half->strain - peak.strain) : Json()}});
+    if (!peak.passed)
+      summary.own("note", "the run ended before the stress had fallen by 5 % from its largest value, which need not be the "
+                          "strength; all shares of the peak refer to it");
+    else if (!slope)
+      summary.own("note", "fewer than three samples lie in the range of the slope; sample more often or widen the range");
+  }
+
+ private:
+  std::vector<double> load(const Curves& curves, const std::string& name) const {
+    const auto column = curves.column(name);
+    std::vector<double> values(column.begin(), column.end());
+    if (config_.sense == Sense::tension)
+      for (double& v : values) v = -v;
+    return values;
+  }
+
+  std::string name_of_sense() const { return config_.sense == Sense::compression ? "compression" : "tension"; }
+
+  static Json fit_report(const StressStrainCurve& c, const FitRange& range, const std::optional<Line>& slope,
+                         const std::optional<Line>& lateral) {
+    Json report{{"samples", range.size()}};
+    if (range.size() > 0) {
+      report["stress_Pa"] = {c.stress[range.begin], c.stress[range.end - 1]};
+      report["strain"] = {c.strain[range.begin], c.strain[range.end - 1]};
+    }
+    if (slope) report["r2_stress"] = slope->r2;
+    if (lateral) report["r2_lateral"] = lateral->r2;
+    return report;
+  }
+
+  Config config_;
+};
+
+}  // namespace breccia
+
+BRECCIA_PLUGIN(breccia::ElasticConstants, "postprocessor", "elastic_constants")

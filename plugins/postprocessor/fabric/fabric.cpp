@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Fabric tensor of bond or contact directions. Source: Satake (1982); Kanatani (1984), Int. J. Eng. Sci. 22, 149-164.
+#include <cmath>
+
+#include "breccia/postprocessor.hpp"
+
+namespace breccia {
+namespace {
+
+enum class Of { bonds, touching };
+
+/// <n (x) n>, and over how many directions; zero when there are none.
+struct Fabric {
+  Mat3 tensor = Mat3::Zero();
+  std::size_t count = 0;
+
+  void add(const Vec3& branch) {
+    const Vec3 n = branch.normalized();
+    tensor += n * n.transpose();
+    ++count;
+  }
+  Fabric& average() {
+    if (count > 0) tensor /= double(count);
+    return *this;
+  }
+  /// 0 when isotropic. Size of the second-order term of the density of directions,
+  /// E(n) = (1 + F' : n (x) n)/(4 pi), F' = 15/2 dev, sqrt(3/2 F':F'); in the plane
+  /// E(n) = (1 + F' : n (x) n)/(2 pi), F' = 4 dev, sqrt(1/2 F':F').
+  double anisotropy(int dimension) const {
+    if (count == 0) return 0;
+    Mat3 deviator = tensor;
+    for (int k = 0; k < dimension; ++k) deviator(k, k) -= tensor.trace() / dimension;
+    return deviator.norm() * (dimension == 3 ? 7.5 * std::sqrt(1.5) : 4 * std::sqrt(0.5));
+  }
+  Json json() const {
+    Json rows = Json::array();
+    for (int a = 0; a < 3; ++a) rows.push_back({tensor(a, 0), tensor(a, 1), tensor(a, 2)});
+    return rows;
+  }
+};
+
+bool touches(const PairForce& f) { return f.fx != 0 || f.fy != 0 || f.fz != 0; }
+
+}  // namespace
+
+class FabricTensor final : public Postprocessor {
+ public:
+  struct Config {
+    Of of;
+    bool columns;
+  };
+  static void describe(Schema<Config>& s) {
+    s.summary("Fabric tensor: mean of n (x) n over the directions of bonds or contacts")
+        .source("Satake (1982); Kanatani (1984); Rojek et al. (2012), section 5.1")
+        .details(
+            "The trace is one; an isotropic assembly has 1/3 on the diagonal (1/2 in two dimensions). The headline "
+            "`fabric_diagonal` is that of all bonds made, at the start of loading.");
+    s.param("of", &Config::of)
+        .choice("bonds", Of::bonds, "bonds that still hold")
+        .choice("touching", Of::touching, "all pairs that exert a force on each other, bonded or not")
+        .doc("which directions the curves and the final tensor count")
+        .fallback("bonds");
+    s.param("columns", &Config::columns).fallback(true).doc("write the diagonal to the curves at each sample");
+  }
+
+  explicit FabricTensor(const Config& config) : config_(config) {}
+
+  void begin(const SimulationView&, Recorder& recorder, Host&) override {
+    if (!config_.columns) return;
+    first_ = recorder.add({"fabric_xx", "1", "mean of n_x n_x over bonds or contacts"});
+    second_ = recorder.add({"fabric_yy", "1", "mean of n_y n_y"});
+    third_ = recorder.add({"fabric_zz", "1", "mean of n_z n_z"});
+  }
+
+  void sample(const SimulationView& view, Recorder& recorder) override {
+    if (!config_.columns) return;
+    const Mat3 f = present(view).tensor;
+    recorder.set(first_, f(0, 0));
+    recorder.set(second_, f(1, 1));
+    recorder.set(third_, f(2, 2));
+  }
+
+  void finish(const SimulationView& view, const Curves&, Summary& summary) override {
+    const Fabric before = initial(view), after = present(view);
+    const Mat3& f = before.tensor;
+    summary.headline("fabric_diagonal", before.count > 0 ? Json{f(0, 0), f(1, 1), f(2, 2)} : Json());
+    summary.own("initial_fabric", before.json());
+    summary.own("initial_anisotropy", before.anisotropy(view.dimension));
+    summary.own("initial_bonds", before.count);
+    summary.own("final_of", config_.of == Of::bonds ? "bonds" : "touching");
+    summary.own("final_fabric", after.json());
+    summary.own("final_anisotropy", after.anisotropy(view.dimension));
+    summary.own("final_count", after.count);
+  }
+
+ private:
+  static Fabric initial(const SimulationView& view) {
+    Fabric f;
+    const auto& x = view.particles.initial_position;
+    for (std::size_t b = 0; b < view.bonds.size(); ++b) f.add(x[view.bonds.j[b]] - x[view.bonds.i[b]]);
+    return f.average();
+  }
+  Fabric present(const SimulationView& view) const {
+    Fabric f;
+    const auto& x = view.particles.position;
+    const PairsView& pairs = view.pairs;
+    for (std::size_t k = 0; k < pairs.size(); ++k)
+      if (config_.of == Of::bonds ? pairs.state[k] == BondState::intact : touches(pairs.force[k]))
+        f.add(x[pairs.j[k]] - x[pairs.i[k]]);
+    return f.average();
+  }
+
+  Config config_;
+  std::size_t first_ = 0, second_ = 0, third_ = 0;
+};
+
+}  // namespace breccia
+
+BRECCIA_PLUGIN(breccia::FabricTensor, "postprocessor", "fabric")

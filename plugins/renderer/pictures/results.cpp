@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "results.hpp"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkExecutive.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkStringArray.h>
+#include <vtkXMLDataElement.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUtilities.h>
+
+#include <cmath>
+
+#include "breccia/error.hpp"
+
+namespace breccia::pictures {
+namespace fs = std::filesystem;
+namespace {
+
+/// VTK's XML parser prints what it dislikes; the messages of this plugin are enough.
+class Quiet {
+ public:
+  Quiet() : before_(vtkObject::GetGlobalWarningDisplay()) { vtkObject::GlobalWarningDisplayOff(); }
+  ~Quiet() { vtkObject::SetGlobalWarningDisplay(before_); }
+  Quiet(const Quiet&) = delete;
+  Quiet& operator=(const Quiet&) = delete;
+
+ private:
+  int before_;
+};
+
+std::vector<fs::path> read_collection(const fs::path& file) {
+  const Quiet quiet;
+  const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(file.c_str()));
+  vtkXMLDataElement* list = root ? root->FindNestedElementWithName("Collection") : nullptr;
+  if (!list) throw UserError("renderer pictures: " + file.string() + " is not a ParaView collection (.pvd)");
+  std::vector<fs::path> frames;
+  for (int k = 0; k < list->GetNumberOfNestedElements(); ++k)
+    if (const char* name = list->GetNestedElement(k)->GetAttribute("file")) frames.push_back(file.parent_path() / name);
+  if (frames.empty()) throw UserError("renderer pictures: " + file.string() + " lists no frames");
+  return frames;
+}
+
+std::optional<Vec3> vector_fact(vtkPolyData* frame, const char* name) {
+  vtkDataArray* a = frame->GetFieldData()->GetArray(name);
+  if (!a || a->GetNumberOfComponents() != 3 || a->GetNumberOfTuples() < 1) return {};
+  Vec3 v;
+  a->GetTuple(0, v.data());
+  return v;
+}
+
+std::optional<double> number_fact(vtkPolyData* frame, const char* name) {
+  vtkDataArray* a = frame->GetFieldData()->GetArray(name);
+  if (!a || a->GetNumberOfComponents() != 1 || a->GetNumberOfTuples() < 1) return {};
+  return a->GetTuple1(0);
+}
+
+std::string unit_of(vtkDataArray* array) {
+  if (array->HasInformation() && array->GetInformation()->Has(vtkDataArray::UNITS_LABEL()))
+    return array->GetInformation()->Get(vtkDataArray::UNITS_LABEL());
+  return {};
+}
+
+}  // namespace
+
+Results find_results(const fs::path& source) {
+  Results r;
+  if (fs::is_directory(source)) {
+    if (fs::exists(source / "particles.pvd")) r.particle_frames = read_collection(source / "particles.pvd");
+    if (fs::exists(source / "bonds.pvd")) r.bond_frames = read_collection(source / "bonds.pvd");
+    if (fs::exists(source / "curves.csv")) r.curves = source / "curves.csv";
+    if (r.particle_frames.empty() && r.bond_frames.empty() && r.curves.empty())
+      throw UserError("renderer pictures: " + source.string() +
+                      " holds no results: neither particles.pvd nor bonds.pvd nor "
+                      "curves.csv is there");
+    return r;
+  }
+  if (!fs::exists(source)) throw UserError("renderer pictures: " + source.string() + " does not exist");
+  std::vector<fs::path> frames;
+  if (source.extension() == ".pvd") frames = read_collection(source);
+  else if (source.extension() == ".vtp") frames = {source};
+  else throw UserError("renderer pictures: " + source.string() + " is neither a result folder nor a .pvd or .vtp file");
+  const auto first = read_frame(frames.front());
+  const bool bonds = first->GetCellData()->HasArray("break_position");
+  (bonds ? r.bond_frames : r.particle_frames) = frames;
+  return r;
+}
+
+vtkSmartPointer<vtkPolyData> read_frame(const fs::path& file) {
+  // Whatever VTK dislikes ends here; without observers it would print.
+  bool bad = false;
+  vtkNew<vtkCallbackCommand> note;
+  note->SetClientData(&bad);
+  note->SetCallback([](vtkObject*, unsigned long, void* client, void*) { *static_cast<bool*>(client) = true; });
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->AddObserver(vtkCommand::ErrorEvent, note);
+  reader->SetParserErrorObserver(note);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, note);
+  if (reader->CanReadFile(file.c_str())) {
+    reader->SetFileName(file.c_str());
+    reader->Update();
+  } else {
+    bad = true;
+  }
+  if (bad || reader->GetErrorCode() != 0)
+    throw UserError("renderer pictures: cannot read " + file.string() +
+                    ": it is missing, damaged, or no VTK poly data");
+  return reader->GetOutput();
+}
+
+FrameFacts facts_of(vtkPolyData* frame) {
+  FrameFacts f;
+  f.time = number_fact(frame, "TimeValue");
+  f.dimension = int(number_fact(frame, "dimension").value_or(3));
+  const auto base = vector_fact(frame, "specimen_base"), axis = vector_fact(frame, "specimen_axis"),
+             extent = vector_fact(frame, "specimen_extent");
+  const auto height = number_fact(frame, "specimen_height");
+  if (!base || !axis || !extent || !height || !(*height > 0)) return f;
+  auto* outline = vtkStringArray::SafeDownCast(frame->GetFieldData()->GetAbstractArray("specimen_outline"));
+  SpecimenShape s;
+  s.outline = outline && outline->GetNumberOfValues() == 1 && outline->GetValue(0) == "box"
+                  ? SpecimenShape::Outline::box
+                  : SpecimenShape::Outline::cylinder;
+  s.base = *base;
+  s.axis = *axis;
+  s.extent = *extent;
+  s.height = *height;
+  f.specimen = s;
+  return f;
+}
+
+Values field_of(vtkFieldData* data, const std::string& name) {
+  vtkDataArray* array = data->GetArray(name.c_str());
+  int component = -1;
+  if (!array && name.size() > 2 && name[name.size() - 2] == '_' && name.back() >= 'x' && name.back() <= 'z') {
+    array = data->GetArray(name.substr(0, name.size() - 2).c_str());
+    component = name.back() - 'x';
+    if (array && array->GetNumberOfComponents() != 3) array = nullptr;
+  }
+  if (!array) {
+    std::string known;
+    for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+      if (data->GetArray(k)) known.append(known.empty() ? "" : ", ").append(data->GetArrayName(k));
+    throw UserError("there is no field `" + name + "`; there are: " + known);
+  }
+  Values v{{}, name, unit_of(array)};
+  const int n = array->GetNumberOfComponents();
+  v.value.resize(std::size_t(array->GetNumberOfTuples()));
+  for (vtkIdType k = 0; k < array->GetNumberOfTuples(); ++k) {
+    if (component >= 0 || n == 1) {
+      v.value[std::size_t(k)] = array->GetComponent(k, std::max(component, 0));
+    } else {
+      double square = 0;
+      for (int c = 0; c < n; ++c) square += array->GetComponent(k, c) * array->GetComponent(k, c);
+      v.value[std::size_t(k)] = std::sqrt(square);
+    }
+  }
+  return v;
+}
+
+}  // namespace breccia::pictures

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The files of a finished run, as a renderer finds them.
+#pragma once
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "breccia/views.hpp"
+
+namespace breccia::pictures {
+
+/// What a source offers; each is empty when it has none.
+struct Results {
+  std::vector<std::filesystem::path> particle_frames, bond_frames;
+  std::filesystem::path curves;
+};
+
+/// `source` is a result folder, or one .pvd or .vtp file of particles or bonds. UserError when it is none of these.
+Results find_results(const std::filesystem::path& source);
+
+/// UserError, naming the file, when it is missing or damaged.
+vtkSmartPointer<vtkPolyData> read_frame(const std::filesystem::path& file);
+
+/// What a frame says of itself, in SI; empty where it says nothing.
+struct FrameFacts {
+  std::optional<double> time;
+  int dimension = 3;
+  std::optional<SpecimenShape> specimen;
+};
+FrameFacts facts_of(vtkPolyData* frame);
+
+/// One number per particle (or bond): a scalar array, a component ("velocity_z"), or the magnitude of a vector array.
+/// UserError, with what there is, when there is no such field.
+struct Values {
+  std::vector<double> value;
+  std::string name, unit;
+};
+Values field_of(vtkFieldData* data, const std::string& name);
+
+}  // namespace breccia::pictures

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "style.hpp"
+
+#include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <span>
+
+namespace breccia::pictures {
+namespace {
+
+// Anchor colours, evenly spaced. viridis, inferno (Smith and van der Walt), cividis (Nunez et al. 2018), OrRd and RdBu
+// (Brewer): perceptually ordered, readable without red-green sight.
+constexpr Rgb viridis[] = {{68, 1, 84}, {71, 45, 123}, {59, 82, 139}, {44, 114, 142}, {33, 145, 140},
+                           {40, 174, 128}, {94, 201, 98}, {173, 220, 48}, {253, 231, 37}};
+constexpr Rgb cividis[] = {{0, 34, 78}, {18, 53, 112}, {59, 73, 108}, {87, 93, 109}, {112, 113, 115},
+                           {138, 134, 120}, {165, 156, 116}, {195, 179, 105}, {225, 204, 85}, {254, 232, 56}};
+constexpr Rgb inferno[] = {{0, 0, 4}, {27, 12, 65}, {74, 12, 107}, {120, 28, 109}, {165, 44, 96},
+                           {207, 68, 70}, {237, 105, 37}, {251, 155, 6}, {247, 209, 61}, {252, 255, 164}};
+constexpr Rgb orange_red[] = {{240, 234, 224}, {254, 232, 200}, {253, 212, 158}, {253, 187, 132}, {252, 141, 89},
+                              {239, 101, 72}, {215, 48, 31}, {179, 0, 0}, {127, 0, 0}};
+constexpr Rgb blue_red[] = {{33, 102, 172}, {67, 147, 195}, {146, 197, 222}, {209, 229, 240}, {247, 247, 247},
+                            {253, 219, 199}, {244, 165, 130}, {214, 96, 77}, {178, 24, 43}};
+constexpr Rgb grey[] = {{240, 240, 240}, {60, 60, 60}};
+
+std::span<const Rgb> anchors(ColourMap map) {
+  switch (map) {
+    case ColourMap::cividis: return cividis;
+    case ColourMap::inferno: return inferno;
+    case ColourMap::orange_red: return orange_red;
+    case ColourMap::blue_red: return blue_red;
+    case ColourMap::grey: return grey;
+    default: return viridis;
+  }
+}
+
+/// Where Linux distributions put DejaVu Sans.
+std::string font_file(bool bold) {
+  const std::string name = bold ? "DejaVuSans-Bold.ttf" : "DejaVuSans.ttf";
+  for (const char* folder : {"/usr/share/fonts/truetype/dejavu", "/usr/share/fonts/dejavu-sans-fonts",
+                             "/usr/share/fonts/TTF", "/usr/share/fonts/dejavu", "/usr/local/share/fonts/dejavu"}) {
+    const std::filesystem::path file = std::filesystem::path(folder) / name;
+    std::error_code ignored;
+    if (std::filesystem::exists(file, ignored)) return file;
+  }
+  return {};
+}
+
+}  // namespace
+
+Rgb writing_on(const Vec3& background) {
+  const bool dark = 0.299 * background.x() + 0.587 * background.y() + 0.114 * background.z() < 0.5;
+  return dark ? Rgb{235, 235, 235} : ink;
+}
+
+vtkSmartPointer<vtkLookupTable> lookup_table(ColourMap map, double low, double high) {
+  const auto colours = anchors(map);
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  constexpr int steps = 256;
+  table->SetNumberOfTableValues(steps);
+  table->SetTableRange(low, high);
+  for (int k = 0; k < steps; ++k) {
+    const double at = double(k) / (steps - 1) * double(colours.size() - 1);
+    const std::size_t a = std::min(std::size_t(at), colours.size() - 2);
+    double c[3];
+    for (int i = 0; i < 3; ++i)
+      c[i] = ((1 - (at - double(a))) * colours[a][i] + (at - double(a)) * colours[a + 1][i]) / 255;
+    table->SetTableValue(k, c[0], c[1], c[2], 1);
+  }
+  return table;
+}
+
+void set_type(vtkTextProperty* text, int size, const Rgb& colour, bool bold) {
+  static const std::string regular = font_file(false), heavy = font_file(true);
+  const std::string& file = bold && !heavy.empty() ? heavy : regular;
+  if (file.empty()) {
+    text->SetFontFamilyToArial();
+    text->SetBold(bold);
+  } else {
+    text->SetFontFamily(VTK_FONT_FILE);
+    text->SetFontFile(file.c_str());
+    text->SetBold(0);
+  }
+  text->SetItalic(0);
+  text->SetShadow(0);
+  text->SetFontSize(size);
+  text->SetColor(colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
+}
+
+ShownUnit shown_unit(const std::string& unit, double largest) {
+  if (unit.empty() || unit == "1") return {};
+  // A prefix goes with units that begin with a plain metre, second, pascal, newton or joule, not with powers of them.
+  const bool plain =
+      unit == "Pa" || unit == "N" || unit == "J" || unit == "m" || unit == "s" || unit == "m/s" || unit == "N m";
+  if (!plain || !(largest > 0) || !std::isfinite(largest)) return {1, unit};
+  static constexpr const char* prefixes[] = {"n", "µ", "m", "", "k", "M", "G"};
+  const int power = std::clamp(int(std::floor(std::log10(largest) / 3 + 1e-9)), -3, 3);
+  return {std::pow(10.0, -3 * power), prefixes[power + 3] + unit};
+}
+
+Ticks nice_ticks(double low, double high, int count) {
+  if (!(high > low)) return {};
+  const double raw = (high - low) / std::max(count, 1), power = std::pow(10.0, std::floor(std::log10(raw)));
+  double step = 10 * power;
+  for (const double s : {1.0, 2.0, 5.0})
+    if (s * power >= raw * 0.999) { step = s * power; break; }
+  return ticks_at(low, high, step);
+}
+
+Ticks ticks_at(double low, double high, double step) {
+  Ticks ticks;
+  ticks.step = step;
+  const int digits = std::max(0, -int(std::floor(std::log10(step) + 1e-9)));
+  for (double k = std::ceil(low / step - 1e-6); k * step <= high + 1e-6 * step; ++k) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*f", digits, k * step + 0.0);
+    ticks.at.push_back(k * step);
+    ticks.label.push_back(text[0] == '-' ? "\u2212" + std::string(text + 1) : text);
+  }
+  return ticks;
+}
+
+std::string title(std::string name, const std::string& unit) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return unit.empty() || unit == "1" ? name : name + " (" + unit + ")";
+}
+
+std::string significant(double value, int digits) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
+}  // namespace breccia::pictures

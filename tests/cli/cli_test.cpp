@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The program as a user meets it: exit codes, messages, files.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+const std::string program = BRECCIA_BINARY_DIR "/bin/breccia";
+
+std::string content(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+struct Result {
+  int code;
+  std::string text;  ///< both streams
+};
+
+class Cli : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("breccia_cli_" + std::to_string(getpid()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    ::setenv("BRECCIA_CACHE", (folder_ / "cache").c_str(), 1);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  Result call(const std::string& arguments, const std::string& before = "") const {
+    const fs::path out = folder_ / "out.txt";
+    const std::string command = "cd '" + folder_.string() + "' && " + before + " '" + program + "' " + arguments + " >'" + out.string() + "' 2>&1 </dev/null";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), content(out)};
+  }
+  fs::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+    return folder_ / name;
+  }
+  /// A specimen of 4 x 4 x 8 tangent spheres that runs in a second.
+  void write_small() const {
+    std::ostringstream csv;
+    csv << "x,y,z,radius\n";
+    for (int k = 0; k < 8; ++k)
+      for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 4; ++i) csv << 2 * i + 1 + 0.2 * ((i * 7 + j * 3 + k) % 5) << ',' << 2 * j + 1 << ',' << 2 * k + 1 << ",1\n";
+    write("small.csv", csv.str());
+    write("small.yaml", small);
+  }
+  Json summary(const std::string& run) const { return Json::parse(content(folder_ / run / "summary.json")); }
+
+  static constexpr const char* small = R"(packing: {type: from_file, file: small.csv, length_unit: mm, outline: box}
+material: {density: 2650 kg/m3}
+bonding: {tolerance: 0.15}
+contact_law: {type: elastic_brittle, bond_modulus: 10 GPa, stiffness_ratio: 3.7, tensile_strength: 40 MPa, shear_strength: 40 MPa, friction: 0.5}
+damping: {translational: 0.7, rotational: 0.7}
+protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, platen_stiffness: 15 MN/m, max_strain: 0.5 %}
+sampling: {every_steps: 20}
+postprocessors: [{type: stress}, {type: bagi_strain}, {type: elastic_constants}, {type: damage}, {type: bond_statistics}, {type: fabric}, {type: energy}]
+)";
+  fs::path folder_;
+};
+
+TEST_F(Cli, RunMakesEveryFileAndTheSummaryHasItsKeys) {
+  write_small();
+  const Result r = call("run small.yaml --output out");
+  ASSERT_EQ(r.code, 0) << r.text;
+  for (const char* file : {"summary.json", "curves.csv", "resolved.yaml", "run.log"}) EXPECT_TRUE(fs::exists(folder_ / "out" / file)) << file;
+  for (const auto& entry : fs::directory_iterator(folder_ / "out")) EXPECT_NE(entry.path().extension(), ".partial") << entry.path();
+  const Json s = summary("out");
+  for (const char* key : {"workflow", "seed", "threads", "steps", "time_step_s", "wall_time_s", "particles", "bonds", "porosity",
+                          "coordination_number", "youngs_modulus_Pa", "poisson_ratio", "peak_stress_Pa", "peak_strain", "bonds_broken_tension",
+                          "bonds_broken_shear", "global_damage", "fabric_diagonal", "ns_per_bond_step", "energy_error", "reference"})
+    EXPECT_TRUE(s.contains(key)) << key;
+  EXPECT_EQ(s["workflow"], "small");
+  EXPECT_EQ(s["particles"], 128);
+  EXPECT_GT(s["youngs_modulus_Pa"].get<double>(), 1e9);
+  EXPECT_LT(std::abs(s["energy_error"].get<double>()), 0.02);
+}
+
+TEST_F(Cli, ResolvedWorkflowAndOtherThreadsGiveTheSameBits) {
+  write_small();
+  ASSERT_EQ(call("run small.yaml --output a --threads 1").code, 0);
+  ASSERT_EQ(call("run a/resolved.yaml --output b --threads 2").code, 0);
+  EXPECT_EQ(content(folder_ / "a/curves.csv"), content(folder_ / "b/curves.csv"));
+  EXPECT_EQ(content(folder_ / "a/resolved.yaml"), content(folder_ / "b/resolved.yaml"));
+}
+
+TEST_F(Cli, ResultsAreNeverSilentlyOverwritten) {
+  write_small();
+  ASSERT_EQ(call("run small.yaml --output out").code, 0);
+  const std::string before = content(folder_ / "out/summary.json");
+  const Result again = call("run small.yaml --output out");
+  EXPECT_EQ(again.code, 2);
+  EXPECT_NE(again.text.find("--overwrite"), std::string::npos) << again.text;
+  EXPECT_EQ(content(folder_ / "out/summary.json"), before);
+  EXPECT_EQ(call("run small.yaml --output out --overwrite").code, 0);
+  fs::create_directories(folder_ / "mine");
+  write("mine/thesis.txt", "dear");
+  EXPECT_EQ(call("run small.yaml --output mine --overwrite").code, 2) << "not a result folder";
+  EXPECT_EQ(content(folder_ / "mine/thesis.txt"), "dear");
+}
+
+TEST_F(Cli, AllErrorsOfAWorkflowInOnePassWithPlaces) {
+  write_small();
+  write("bad.yaml", std::string(small) + "sample: {every_steps: 3}\nseed: -1\n");
+  const Result r = call("validate bad.yaml");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_NE(r.text.find("bad.yaml:9:1: sample"), std::string::npos) << r.text;
+  EXPECT_NE(r.text.find("did you mean `sampling`"), std::string::npos) << r.text;
+  EXPECT_NE(r.text.find("bad.yaml:10:"), std::string::npos) << r.text;
+  EXPECT_EQ(call("run bad.yaml --output out").code, 2);
+  EXPECT_FALSE(fs::exists(folder_ / "out")) << "bad input must leave nothing behind";
+}
+
+TEST_F(Cli, WrongUnitWrongPluginMissingFile) {
+  write_small();
+  Result r = call("run small.yaml --output out --set contact_law.bond_modulus='10 mm'");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_NE(r.text.find("contact_law.bond_modulus"), std::string::npos) << r.text;
+  r = call("run small.yaml --output out --set contact_law.type=elastic_britle");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_NE(r.text.find("elastic_brittle"), std::string::npos) << r.text;
+  r = call("run nowhere.yaml");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_NE(r.text.find("nowhere.yaml"), std::string::npos) << r.text;
+  write("nan.csv", "x,y,z,radius\n0,0,0,1\n0,0,nan,1\n");
+  r = call("run small.yaml --output out --set packing.file=nan.csv");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_NE(r.text.find("nan.csv"), std::string::npos) << r.text;
+  write("empty.csv", "x,y,z,radius\n");
+  EXPECT_EQ(call("run small.yaml --output out2 --set packing.file=empty.csv").code, 2);
+}
+
+TEST_F(Cli, OverridesReachTheRun) {
+  write_small();
+  ASSERT_EQ(call("run small.yaml --output out --set seed=7 --set bonding.tolerance=0.2").code, 0);
+  EXPECT_EQ(summary("out")["seed"], 7);
+  EXPECT_NE(content(folder_ / "out/resolved.yaml").find("tolerance: 0.2"), std::string::npos);
+}
+
+TEST_F(Cli, CtrlCStopsWithFilesComplete) {
+  write_small();
+  const pid_t child = fork();
+  if (child == 0) {
+    if (!std::freopen("/dev/null", "w", stderr) || chdir(folder_.c_str()) != 0) _exit(99);
+    execl(program.c_str(), program.c_str(), "run", "small.yaml", "--output", "out", "--set", "protocol.platen_velocity=0.001 m/s", nullptr);
+    _exit(98);
+  }
+  for (int k = 0; k < 600 && !fs::exists(folder_ / "out/curves.csv.partial"); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  kill(child, SIGINT);
+  int status = 0;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_EQ(summary("out")["interrupted"], true);
+  EXPECT_TRUE(fs::exists(folder_ / "out/curves.csv"));
+  EXPECT_FALSE(fs::exists(folder_ / "out/curves.csv.partial"));
+}
+
+TEST_F(Cli, FullDiskIsToldAndNothingLooksWhole) {
+  write_small();
+  // A file size limit stands for the full disk: writes fail half-way in the same manner.
+  const Result r = call("run small.yaml --output out --set sampling.every_steps=1", "ulimit -f 8; trap '' XFSZ;");
+  EXPECT_NE(r.code, 0);
+  EXPECT_NE(r.text.find("cannot write"), std::string::npos) << r.text;
+  EXPECT_FALSE(fs::exists(folder_ / "out/curves.csv"));
+  EXPECT_FALSE(fs::exists(folder_ / "out/summary.json"));
+}
+
+TEST_F(Cli, ListDescribeSchema) {
+  Result r = call("list");
+  EXPECT_EQ(r.code, 0) << r.text;
+  for (const char* name : {"packing/labra_onate", "packing/from_file", "contact_law/elastic_brittle", "protocol/uniaxial_compression", "postprocessor/stress"})
+    EXPECT_NE(r.text.find(name), std::string::npos) << name;
+  r = call("list contact_laws");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_NE(r.text.find("contact_law"), std::string::npos);
+  r = call("describe contact_law/elastic_brittle");
+  EXPECT_EQ(r.code, 0);
+  for (const char* word : {"bond_modulus", "Pa", "model_3c", "Eq. 19"}) EXPECT_NE(r.text.find(word), std::string::npos) << word;
+  EXPECT_EQ(Json::parse(call("describe contact_law/elastic_brittle --format json").text)["name"], "elastic_brittle");
+  EXPECT_NE(call("describe workflow --format markdown").text.find("bonding"), std::string::npos);
+  EXPECT_EQ(call("describe contact_law/elastic_britle").code, 2);
+  EXPECT_TRUE(Json::parse(call("schema").text).contains("$schema"));
+}
+
+TEST_F(Cli, ShippedWorkflowsAreValidAndTheSchemaIsCurrent) {
+  std::string files;
+  for (const auto& entry : fs::recursive_directory_iterator(BRECCIA_SOURCE_DIR "/workflows"))
+    if (entry.path().extension() == ".yaml") files += " '" + entry.path().string() + "'";
+  ASSERT_FALSE(files.empty());
+  const Result r = call("validate" + files);
+  EXPECT_EQ(r.code, 0) << r.text;
+  EXPECT_EQ(call("schema").text, content(BRECCIA_SOURCE_DIR "/docs/workflow.schema.json")) << "breccia schema > docs/workflow.schema.json";
+}
+
+}  // namespace

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The part of JSON Schema (draft 7) that `json_schema` uses, as a checker. A keyword that it does not know is a
+/// failure, so that nothing in a schema passes unchecked.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+#include <string>
+
+#include "breccia/schema.hpp"
+
+namespace breccia {
+
+class SchemaChecker {
+ public:
+  /// Empty when `value` conforms, else the first reason.
+  static std::string problem(const Json& schema, const Json& value, const std::string& at = "$") {
+    if (schema.is_boolean()) return schema.get<bool>() ? "" : at + ": nothing is valid here";
+    for (const auto& [keyword, argument] : schema.items()) {
+      const std::string found = check(schema, keyword, argument, value, at);
+      if (!found.empty()) return found;
+    }
+    return {};
+  }
+
+ private:
+  static bool is_type(const std::string& type, const Json& value) {
+    if (type == "integer")
+      return value.is_number_integer() || (value.is_number() && std::floor(value.get<double>()) == value);
+    if (type == "number") return value.is_number();
+    if (type == "string") return value.is_string();
+    if (type == "boolean") return value.is_boolean();
+    if (type == "array") return value.is_array();
+    return type == "object" && value.is_object();
+  }
+
+  static std::string check(const Json& schema, const std::string& keyword, const Json& argument, const Json& value,
+                           const std::string& at) {
+    const auto fail_if = [&](bool wrong) {
+      return wrong ? at + ": " + keyword + " " + argument.dump() + " against " + value.dump() : "";
+    };
+    if (keyword == "type") {
+      if (argument.is_string()) return fail_if(!is_type(argument, value));
+      return fail_if(std::none_of(argument.begin(), argument.end(), [&](const Json& t) { return is_type(t, value); }));
+    }
+    if (keyword == "const") return fail_if(value != argument);
+    if (keyword == "pattern")
+      return fail_if(value.is_string() &&
+                     !std::regex_search(value.get<std::string>(), std::regex(argument.get<std::string>())));
+    if (keyword == "minimum") return fail_if(value.is_number() && value.get<double>() < argument.get<double>());
+    if (keyword == "exclusiveMinimum")
+      return fail_if(value.is_number() && value.get<double>() <= argument.get<double>());
+    if (keyword == "maximum") return fail_if(value.is_number() && value.get<double>() > argument.get<double>());
+    if (keyword == "exclusiveMaximum")
+      return fail_if(value.is_number() && value.get<double>() >= argument.get<double>());
+    if (keyword == "minItems") return fail_if(value.is_array() && value.size() < argument.get<std::size_t>());
+    if (keyword == "maxItems") return fail_if(value.is_array() && value.size() > argument.get<std::size_t>());
+    if (keyword == "required")
+      return fail_if(value.is_object() && std::any_of(argument.begin(), argument.end(), [&](const Json& k) {
+                       return !value.contains(k.get<std::string>());
+                     }));
+    if (keyword == "not") return fail_if(problem(argument, value, at).empty());
+    if (keyword == "anyOf")
+      return fail_if(
+          std::none_of(argument.begin(), argument.end(), [&](const Json& s) { return problem(s, value, at).empty(); }));
+    if (keyword == "allOf") return first_problem(argument, value, at);
+    if (keyword == "if") return problem(argument, value, at).empty() ? problem(schema.at("then"), value, at) : "";
+    if (keyword == "items") return items_problem(argument, value, at);
+    if (keyword == "properties") return members_problem(argument, value, at);
+    if (keyword == "additionalProperties") {
+      if (argument != false) return at + ": additionalProperties is not false";
+      for (const auto& [key, member] : value.items())
+        if (value.is_object() && !schema.at("properties").contains(key)) return at + ": " + key + " is not known";
+      return {};
+    }
+    for (const char* annotation : {"then", "description", "default", "examples", "title", "$schema"})
+      if (keyword == annotation) return {};
+    return at + ": the checker does not know " + keyword;
+  }
+
+  static std::string first_problem(const Json& schemas, const Json& value, const std::string& at) {
+    for (const Json& schema : schemas)
+      if (const std::string found = problem(schema, value, at); !found.empty()) return found;
+    return {};
+  }
+  static std::string items_problem(const Json& schema, const Json& value, const std::string& at) {
+    for (std::size_t k = 0; value.is_array() && k < value.size(); ++k)
+      if (const std::string found = problem(schema, value[k], at + "[" + std::to_string(k) + "]"); !found.empty())
+        return found;
+    return {};
+  }
+  static std::string members_problem(const Json& schemas, const Json& value, const std::string& at) {
+    for (const auto& [key, schema] : schemas.items())
+      if (value.is_object() && value.contains(key))
+        if (const std::string found = problem(schema, value[key], at + "." + key); !found.empty()) return found;
+    return {};
+  }
+};
+
+}  // namespace breccia

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fake_view.hpp"
+
+namespace breccia::test {
+namespace {
+
+struct Rock {
+  double modulus = 20e9, poisson = 0.17, peak = 300e6;
+  double seating = 0;       // strain before the stress rises
+  double drop_to = 0.2;     // last stress over peak
+  bool ends_early = false;  // at 80 % of the peak
+};
+
+/// Linear to half of the peak, then at half the slope up to the peak, then a straight fall over a strain of 1e-3.
+void fill(LoadedPostprocessor& p, const Rock& rock, double sign = 1) {
+  const double yield = 0.5 * rock.peak, knee = rock.seating + yield / rock.modulus;
+  const double top = knee + (rock.peak - yield) / (0.5 * rock.modulus);
+  std::vector<double> stress, strain, lateral;
+  for (int k = 0;; ++k) {
+    const double e = 1e-5 * k;
+    double s = 0;
+    if (e > top) s = rock.peak * (1 - (1 - rock.drop_to) * (e - top) / 1e-3);
+    else if (e > knee) s = yield + 0.5 * rock.modulus * (e - knee);
+    else if (e > rock.seating) s = rock.modulus * (e - rock.seating);
+    if ((rock.ends_early && s > 0.8 * rock.peak) || e > top + 1e-3) break;
+    stress.push_back(sign * s);
+    strain.push_back(sign * e);
+    lateral.push_back(sign * rock.poisson * e);
+  }
+  p.curves.add_column("axial_stress", stress);
+  p.curves.add_column("axial_strain", strain);
+  p.curves.add_column("lateral_strain", lateral);
+}
+
+double number(const Json& j) { return j.get<double>(); }
+
+TEST(ElasticConstants, OfABilinearCurve) {
+  const Rock rock;
+  LoadedPostprocessor p("elastic_constants");
+  fill(p, rock);
+  FakeSummary s = p.finish({});
+  EXPECT_NEAR(number(s.headlines["youngs_modulus_Pa"]), rock.modulus, 1e-9 * rock.modulus);
+  EXPECT_NEAR(number(s.headlines["poisson_ratio"]), rock.poisson, 1e-12);
+  // The sample nearest the peak is within half a strain step of it.
+  EXPECT_NEAR(number(s.headlines["peak_stress_Pa"]), rock.peak, 0.4e6);
+  EXPECT_NEAR(number(s.headlines["peak_strain"]), 22.5e-3, 1e-5);
+  EXPECT_EQ(s.headlines["peak_reached"], true);
+  EXPECT_NEAR(number(s.owned["average"]["range"]["r2_stress"]), 1, 1e-12);
+  const double peak = number(s.headlines["peak_stress_Pa"]);
+  EXPECT_GE(number(s.owned["average"]["range"]["stress_Pa"][0]), 0.1 * peak);
+  EXPECT_LE(number(s.owned["average"]["range"]["stress_Pa"][1]), 0.4 * peak);
+  EXPECT_NEAR(number(s.owned["secant"]["youngs_modulus_Pa"]), rock.modulus, 1e-9 * rock.modulus);
+  EXPECT_NEAR(number(s.owned["after_peak"]["last_stress_over_peak"]), rock.drop_to, 0.01);
+  EXPECT_NEAR(number(s.owned["after_peak"]["strain_to_half_of_peak"]), 0.5 / 0.8 * 1e-3, 1e-5);
+  EXPECT_EQ(s.owned.count("note"), 0u);
+}
+
+TEST(ElasticConstants, SeatingShiftsTheSecantOnly) {
+  Rock rock;
+  rock.seating = 1e-3;
+  LoadedPostprocessor p("elastic_constants");
+  fill(p, rock);
+  FakeSummary s = p.finish({});
+  EXPECT_NEAR(number(s.headlines["youngs_modulus_Pa"]), rock.modulus, 1e-9 * rock.modulus);
+  const double half = 0.5 * number(s.headlines["peak_stress_Pa"]);
+  EXPECT_NEAR(number(s.owned["secant"]["youngs_modulus_Pa"]), half / (half / rock.modulus + rock.seating), 1e-6 * rock.modulus);
+}
+
+TEST(ElasticConstants, SecantAsHeadline) {
+  const Rock rock;
+  LoadedPostprocessor p("elastic_constants", {{"modulus", "secant"}, {"secant_at", 0.75}});
+  fill(p, rock);
+  FakeSummary s = p.finish({});
+  const double level = 0.75 * number(s.headlines["peak_stress_Pa"]), yield = 0.5 * rock.peak;
+  const double strain = yield / rock.modulus + (level - yield) / (0.5 * rock.modulus);
+  EXPECT_NEAR(number(s.headlines["youngs_modulus_Pa"]), level / strain, 1e-9 * rock.modulus);
+  EXPECT_NEAR(number(s.headlines["poisson_ratio"]), rock.poisson, 1e-12);
+}
+
+TEST(ElasticConstants, TensionTestIsMirrored) {
+  Rock rock;
+  rock.peak = 10e6;
+  LoadedPostprocessor p("elastic_constants", {{"sense", "tension"}});
+  fill(p, rock, -1);
+  FakeSummary s = p.finish({});
+  EXPECT_NEAR(number(s.headlines["youngs_modulus_Pa"]), rock.modulus, 1e-9 * rock.modulus);
+  EXPECT_NEAR(number(s.headlines["poisson_ratio"]), rock.poisson, 1e-12);
+  EXPECT_GT(number(s.headlines["peak_strain"]), 0);
+
+  LoadedPostprocessor wrong("elastic_constants");
+  fill(wrong, rock, -1);
+  s = wrong.finish({});
+  EXPECT_TRUE(s.headlines["youngs_modulus_Pa"].is_null());
+  EXPECT_EQ(s.headlines["peak_reached"], false);
+  EXPECT_NE(s.owned["note"].get<std::string>().find("compression"), std::string::npos);
+}
+
+TEST(ElasticConstants, SaysWhenThePeakWasNotReached) {
+  Rock rock;
+  rock.ends_early = true;
+  LoadedPostprocessor p("elastic_constants");
+  fill(p, rock);
+  FakeSummary s = p.finish({});
+  EXPECT_EQ(s.headlines["peak_reached"], false);
+  EXPECT_EQ(s.owned.count("note"), 1u);
+  EXPECT_TRUE(s.owned["after_peak"]["strain_to_half_of_peak"].is_null());
+  EXPECT_NEAR(number(s.headlines["youngs_modulus_Pa"]), rock.modulus, 1e-9 * rock.modulus);
+}
+
+/// Unloading below the range and loading again along the same line: the range is that of the first way up.
+TEST(ElasticConstants, TakesTheFirstWayUp) {
+  LoadedPostprocessor p("elastic_constants");
+  std::vector<double> stress{0, 10, 20, 30, 40, 60, 30, 5, 20, 40, 100, 50};
+  std::vector<double> strain{0, 1, 2, 3, 4, 6, 5, 4.5, 4.75, 5, 10, 11};
+  p.curves.add_column("axial_stress", stress);
+  p.curves.add_column("axial_strain", strain);
+  p.curves.add_column("lateral_strain", std::vector<double>(stress.size(), 0.0));
+  FakeSummary s = p.finish({});
+  EXPECT_NEAR(number(s.headlines["youngs_modulus_Pa"]), 10, 1e-12);
+  EXPECT_EQ(s.owned["average"]["range"]["samples"], 4);
+}
+
+TEST(ElasticConstants, TooFewSamplesGiveNullNotANumber) {
+  LoadedPostprocessor p("elastic_constants");
+  p.curves.add_column("axial_stress", {0, 30, 100, 10});
+  p.curves.add_column("axial_strain", {0, 3, 10, 12});
+  p.curves.add_column("lateral_strain", {0, 1, 2, 3});
+  FakeSummary s = p.finish({});
+  EXPECT_TRUE(s.headlines["youngs_modulus_Pa"].is_null());
+  EXPECT_TRUE(s.headlines["poisson_ratio"].is_null());
+  EXPECT_EQ(s.owned.count("note"), 1u);
+}
+
+TEST(ElasticConstants, ReadsTheCurvesItIsTold) {
+  LoadedPostprocessor p("elastic_constants", {{"stress", "platen_stress"}, {"strain", "platen_strain"}});
+  p.curves.add_column("platen_stress", {0, 10, 20, 30, 100, 0});
+  p.curves.add_column("platen_strain", {0, 2, 4, 6, 20, 21});
+  p.curves.add_column("lateral_strain", {0, 1, 2, 3, 4, 5});
+  FakeSummary s = p.finish({});
+  EXPECT_NEAR(number(s.headlines["youngs_modulus_Pa"]), 5, 1e-12);
+  EXPECT_NEAR(number(s.headlines["poisson_ratio"]), 0.5, 1e-12);
+  LoadedPostprocessor q("elastic_constants");
+  EXPECT_THROW(q.finish({}), UserError);
+}
+
+TEST(ElasticConstants, RefusesAnEmptyRange) {
+  LoadedPostprocessor p("elastic_constants", {{"range_lower", 0.5}, {"range_upper", 0.4}});
+  ASSERT_EQ(p.issues.size(), 1u);
+  EXPECT_EQ(p.issues[0].path, "range_lower");
+}
+
+TEST(ElasticConstants, OfARunWithoutSamples) {
+  LoadedPostprocessor p("elastic_constants");
+  for (const char* name : {"axial_stress", "axial_strain", "lateral_strain"}) p.curves.add_column(name, {});
+  EXPECT_TRUE(p.finish({}).headlines.at("peak_stress_Pa").is_null());
+}
+
+}  // namespace
+}  // namespace breccia::test

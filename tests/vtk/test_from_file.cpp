@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "breccia/output.hpp"
+#include "breccia/packing.hpp"
+#include "plugin_under_test.hpp"
+#include "specimen.hpp"
+
+namespace breccia::test {
+namespace {
+
+class FromFile : public ::testing::Test {
+ protected:
+  PackedParticles load(const std::filesystem::path& file, Json more = {{"length_unit", "mm"}}, int dimension = 3) {
+    more["file"] = file.string();
+    if (!more.contains("outline")) more["outline"] = "box";
+    return make<Packing>(BRECCIA_FROM_FILE_PLUGIN, more)->generate({dimension, 1, 1}, host_);
+  }
+  /// What the user is told about a table.
+  std::string refusal(const std::string& content, int dimension = 3) {
+    const Json axis = {{"length_unit", "mm"}, {"axis", "x"}};
+    return user_error([&] { load(folder_.file("p.csv", content), axis, dimension); });
+  }
+  void expect(const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  }
+
+  Folder folder_;
+  QuietHost host_;
+};
+
+TEST_F(FromFile, ColumnsInAnyOrderWithUnitAndComments) {
+  const auto p = load(folder_.file(
+      "p.csv", "# made by hand\r\n radius; z;\"x\" ;colour;y\r\n0.5;3;1;red;2 # first\r\n\r\n1e-1;-3;+1.5;blue;2\r\n"));
+  ASSERT_EQ(p.radius.size(), 2u);
+  EXPECT_EQ(p.position[0], 1e-3 * Vec3(1, 2, 3));
+  EXPECT_EQ(p.position[1], 1e-3 * Vec3(1.5, 2, -3));
+  EXPECT_EQ(p.radius[0], 1e-3 * 0.5);
+  EXPECT_EQ(p.axis, Vec3::UnitZ());
+  EXPECT_EQ(p.container_volume, 0);
+  ASSERT_EQ(host_.notes.size(), 1u);
+  expect(host_.notes[0], "column `colour`");
+  ASSERT_EQ(p.report.size(), 4u);
+  EXPECT_DOUBLE_EQ(p.report[1].got, 1e-4);
+  EXPECT_DOUBLE_EQ(p.report[2].got, 3e-4);
+  EXPECT_DOUBLE_EQ(p.report[3].got, 5e-4);
+}
+
+TEST_F(FromFile, EveryUnit) {
+  const auto file = folder_.file("p.csv", "x,y,z,radius\n0,0,0,1\n");
+  for (const auto& [unit, metres] : {std::pair{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}, {"in", 0.0254}})
+    EXPECT_DOUBLE_EQ(load(file, {{"length_unit", unit}}).radius[0], metres) << unit;
+}
+
+TEST_F(FromFile, BadTablesAreRefusedWithTheirLine) {
+  expect(refusal("x,y,radius\n1,2,3\n"), "p.csv, line 1: no column `z`");
+  expect(refusal("1,2,3,4\n"), "line 1: no column `x`");
+  expect(refusal("x,y,z,radius,x\n"), "line 1: there are two columns `x`");
+  expect(refusal("x,y,z,radius\n0,0,0,1\n1,oops,3,1\n"), "line 3: y is `oops`, which is not a number");
+  expect(refusal("x,y,z,radius\n0,0,,1\n"), "line 2: z is ``, which is not a number");
+  expect(refusal("x,y,z,radius\n0,0,0,1mm\n"), "line 2: radius is `1mm`");
+  expect(refusal("x,y,z,radius\n0,0,0\n"), "line 2: 3 values, where the first line names 4 columns");
+  expect(refusal("x,y,z,radius\nnan,0,0,1\n"), "line 2: the centre is not finite");
+  expect(refusal("x,y,z,radius\n0,0,0,inf\n"), "line 2: the radius is not finite");
+  expect(refusal("x,y,z,radius\n0,0,0,-1\n"), "line 2: the radius must be above 0");
+  expect(refusal("x,y,z,radius\n0,0,0,0\n"), "line 2: the radius must be above 0");
+  expect(refusal("x,y,z,radius\n1,2,3,1\n5,5,5,1\n# between\n1,2,3.0000000001,2\n"),
+         "line 5: the same centre as line 2");
+  expect(refusal(""), "p.csv is empty");
+  expect(refusal("x,y,z,radius\n"), "p.csv holds no particle");
+  expect(user_error([&] { load(folder_.path() / "no.csv"); }), "cannot read the packing file");
+}
+
+TEST_F(FromFile, TwoDimensions) {
+  const auto p = load(folder_.file("p.csv", "x,y,radius\n1,2,0.5\n"), {{"length_unit", "mm"}}, 2);
+  EXPECT_EQ(p.position[0], 1e-3 * Vec3(1, 2, 0));
+  EXPECT_EQ(p.axis, Vec3::UnitY());
+  expect(refusal("x,y,z,radius\n0,0,1,1\n", 2), "line 2: z must be 0 in two dimensions");
+  const auto file = folder_.path() / "p.csv";
+  expect(user_error([&] {
+           load(file, {{"length_unit", "mm"}, {"outline", "cylinder"}}, 2);
+         }),
+         "the outline must be `box`");
+  expect(user_error([&] { load(file, {{"length_unit", "mm"}, {"axis", "z"}}, 2); }), "the axis must be x or y");
+}
+
+TEST_F(FromFile, ParametersThatContradictEachOther) {
+  const auto issues = [](const Json& config) { return issues_of(BRECCIA_FROM_FILE_PLUGIN, config); };
+  EXPECT_TRUE(issues({{"file", "/a.csv"}, {"length_unit", "mm"}, {"outline", "box"}}).empty());
+  const Issues no_unit = issues({{"file", "/a.csv"}, {"outline", "box"}});
+  ASSERT_EQ(no_unit.size(), 1u);
+  EXPECT_EQ(no_unit[0].path, "length_unit");
+  const Issues type = issues({{"file", "/a.txt"}, {"outline", "box"}});
+  ASSERT_EQ(type.size(), 1u);
+  EXPECT_EQ(type[0].path, "file");
+}
+
+TEST_F(FromFile, TheFileEntersTheCacheKey) {
+  const auto packing =
+      make<Packing>(BRECCIA_FROM_FILE_PLUGIN, {{"file", "/a.csv"}, {"length_unit", "mm"}, {"outline", "box"}});
+  EXPECT_EQ(packing->inputs(), std::vector<std::filesystem::path>{"/a.csv"});
+}
+
+#ifdef BRECCIA_HAS_VTK
+TEST_F(FromFile, AFrameOfARunIsAPackingWithoutLoss) {
+  const Specimen specimen(300, 3);
+  auto output = make<Output>(BRECCIA_VTK_PLUGIN, {{"precision", "single"}});
+  output->begin(folder_.path(), host_);
+  output->frame(specimen.view(0), {});
+  const auto p = load(folder_.path() / "particles_000000.vtp", {{"outline", "cylinder"}});
+  const SimulationView view = specimen.view(0);
+  EXPECT_TRUE(std::ranges::equal(p.position, view.particles.position));
+  EXPECT_TRUE(std::ranges::equal(p.radius, view.particles.radius));
+  EXPECT_EQ(p.outline, SpecimenShape::Outline::cylinder);
+}
+
+TEST_F(FromFile, BadVtpFilesAreRefused) {
+  const Json cylinder = {{"outline", "cylinder"}};
+  expect(user_error([&] { load(folder_.path() / "no.vtp", cylinder); }), "it is missing, damaged, or no VTK poly data");
+  expect(user_error([&] { load(folder_.file("text.vtp", "x,y,z"), cylinder); }),
+         "it is missing, damaged, or no VTK poly data");
+  auto output = make<Output>(BRECCIA_VTK_PLUGIN, {});
+  output->begin(folder_.path(), host_);
+  output->frame(Specimen(20, 3).view(0), {});
+  expect(user_error([&] { load(folder_.path() / "walls_000000.vtp", cylinder); }), "no point array `radius`");
+  std::ifstream in(folder_.path() / "particles_000000.vtp", std::ios::binary);
+  const std::string whole{std::istreambuf_iterator<char>(in), {}};
+  for (const std::size_t length : {whole.size() / 20, whole.size() / 2, whole.size() - 30})
+    expect(user_error([&] { load(folder_.file("cut.vtp", whole.substr(0, length)), cylinder); }),
+           "cut.vtp: it is missing, damaged");
+  const Issues issues =
+      issues_of(BRECCIA_FROM_FILE_PLUGIN, {{"file", "/a.vtp"}, {"length_unit", "mm"}, {"outline", "box"}});
+  ASSERT_EQ(issues.size(), 1u);
+  expect(issues[0].text, "is in metres");
+}
+#endif
+
+}  // namespace
+}  // namespace breccia::test

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+
+#include <algorithm>
+#include <set>
+
+#include "breccia/output.hpp"
+#include "breccia/renderer.hpp"
+#include "plugin_under_test.hpp"
+#include "specimen.hpp"
+
+namespace breccia::test {
+namespace {
+namespace fs = std::filesystem;
+
+/// A result folder with two frames and curves, written by the output plugin.
+void write_results(const Specimen& specimen, const fs::path& folder) {
+  QuietHost host;
+  auto output = make<Output>(BRECCIA_VTK_PLUGIN, {});
+  output->begin(folder, host);
+  output->frame(specimen.view(0), specimen.fields());
+  output->frame(specimen.view(3.2e-3), specimen.fields());
+  output->finish();
+  std::ofstream(folder / "curves.csv") << made_up_curves();
+}
+
+struct Image {
+  int width = 0, height = 0;
+  std::vector<std::array<unsigned char, 3>> pixel;
+  double drawn() const {  ///< share of pixels that are not background
+    const auto blank = std::count(pixel.begin(), pixel.end(), std::array<unsigned char, 3>{255, 255, 255});
+    return 1 - double(blank) / double(pixel.size());
+  }
+  std::size_t colours() const { return std::set(pixel.begin(), pixel.end()).size(); }
+  /// Share of pixels within a few steps of a colour.
+  double share_of(int r, int g, int b) const {
+    return double(std::count_if(pixel.begin(), pixel.end(), [&](const auto& p) {
+             return std::abs(p[0] - r) + std::abs(p[1] - g) + std::abs(p[2] - b) < 60;
+           })) / double(pixel.size());
+  }
+};
+
+Image read(const fs::path& file) {
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  Image image;
+  int size[3];
+  reader->GetOutput()->GetDimensions(size);
+  image.width = size[0];
+  image.height = size[1];
+  const auto* p = static_cast<const unsigned char*>(reader->GetOutput()->GetScalarPointer());
+  for (int k = 0; k < size[0] * size[1]; ++k, p += 3) image.pixel.push_back({p[0], p[1], p[2]});
+  return image;
+}
+
+std::string bytes(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::vector<fs::path> render(const fs::path& source, const fs::path& to, const Json& given, QuietHost& host) {
+  return make<Renderer>(BRECCIA_PICTURES_PLUGIN, given)->render({source, to}, host);
+}
+
+class PicturesOfARun : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new Folder;
+    write_results(Specimen(2000, 3), folder_->path());
+  }
+  static void TearDownTestSuite() { delete folder_; }
+  static inline Folder* folder_ = nullptr;
+  Folder to_;
+  QuietHost host_;
+};
+
+TEST_F(PicturesOfARun, AllKindsAreDrawn) {
+  const auto made = render(folder_->path(), to_.path(), {{"size", 400}}, host_);
+  EXPECT_TRUE(host_.warnings.empty()) << host_.warnings[0];
+  ASSERT_EQ(made.size(), 9u);
+  for (const fs::path& file : made) {
+    if (file.extension() != ".png") continue;
+    const Image image = read(file);
+    EXPECT_GT(image.drawn(), 0.03) << file;
+    EXPECT_LT(image.drawn(), 0.95) << file;
+    EXPECT_GT(image.colours(), 100u) << file;
+  }
+  for (const auto& entry : fs::directory_iterator(to_.path())) EXPECT_NE(entry.path().extension(), ".part");
+}
+
+TEST_F(PicturesOfARun, SameFilesGiveTheSameBytes) {
+  Folder again;
+  const auto first = render(folder_->path(), to_.path(), {{"size", 300}}, host_);
+  const auto second = render(folder_->path(), again.path(), {{"size", 300}}, host_);
+  ASSERT_EQ(first.size(), second.size());
+  for (std::size_t k = 0; k < first.size(); ++k) EXPECT_EQ(bytes(first[k]), bytes(second[k])) << first[k];
+}
+
+TEST_F(PicturesOfARun, CutawayShowsLessThanTheWhole) {
+  const Json config = {{"size", 400}, {"pictures", {{{"show", "specimen"}}, {{"show", "cutaway"}, {"cut", "half"}}}}};
+  render(folder_->path(), to_.path(), config, host_);
+  const Image whole = read(to_.path() / "specimen.png"), half = read(to_.path() / "cutaway.png");
+  ASSERT_EQ(whole.width, half.width);
+  EXPECT_NE(whole.pixel, half.pixel);
+  EXPECT_LT(half.drawn(), whole.drawn());
+}
+
+TEST_F(PicturesOfARun, CracksHaveTheColoursOfTheirModes) {
+  render(folder_->path(), to_.path(), {{"size", 400}, {"pictures", {{{"show", "cracks"}}}}}, host_);
+  const Image image = read(to_.path() / "cracks.png");
+  EXPECT_GT(image.share_of(0, 114, 178), 0.005);  // tension, blue
+  EXPECT_GT(image.share_of(213, 94, 0), 0.002);   // shear, vermillion
+}
+
+TEST_F(PicturesOfARun, ColourRangeMapsValuesToTheEndsOfTheMap) {
+  // Every radius lies above this range: all spheres take the map's last colour, shaded.
+  const Json config = {
+      {"size", 300},
+      {"pictures",
+       {{{"show", "specimen"}, {"field", "radius"}, {"colour_map", "blue_red"}, {"low", 1e-6}, {"high", 2e-6}}}}};
+  render(folder_->path(), to_.path(), config, host_);
+  const Image image = read(to_.path() / "specimen.png");
+  std::size_t red = 0, bluish = 0;
+  for (const auto& p : image.pixel) {
+    red += p[0] > p[2] + 40;
+    bluish += p[2] > p[0] + 40;
+  }
+  EXPECT_GT(double(red) / double(image.pixel.size()), 0.15);
+  EXPECT_LT(double(bluish) / double(image.pixel.size()), 0.03);  // the colour bar only
+}
+
+TEST_F(PicturesOfARun, AProblemOfOnePictureDoesNotStopTheOthers) {
+  const Json config = {{"size", 300},
+                       {"columns", {{"stress", "axial_stres"}}},
+                       {"pictures",
+                        {{{"show", "stress_strain"}},
+                         {{"show", "specimen"}, {"field", "nothing"}, {"name", "a"}},
+                         {{"show", "displacement"}, {"frame", 7}, {"name", "b"}},
+                         {{"show", "strains"}}}}};
+  EXPECT_EQ(render(folder_->path(), to_.path(), config, host_).size(), 2u);
+  ASSERT_EQ(host_.warnings.size(), 3u);
+  EXPECT_NE(host_.warnings[0].find("no column `axial_stres`; did you mean `axial_stress_Pa`?"), std::string::npos)
+      << host_.warnings[0];
+  EXPECT_NE(host_.warnings[1].find("no field `nothing`; there are: radius, id, mass"), std::string::npos)
+      << host_.warnings[1];
+  EXPECT_NE(host_.warnings[2].find("no frame 7: the last is 1"), std::string::npos) << host_.warnings[2];
+}
+
+TEST_F(PicturesOfARun, OneFileIsASourceToo) {
+  const Json config = {{"size", 300}, {"pictures", {{{"show", "specimen"}, {"field", "velocity_z"}}}}};
+  EXPECT_EQ(render(folder_->path() / "particles_000001.vtp", to_.path(), config, host_).size(), 1u);
+  const Json cracks = {{"size", 300}, {"pictures", {{{"show", "cracks"}}}}};
+  EXPECT_EQ(render(folder_->path() / "bonds.pvd", to_.path(), cracks, host_).size(), 1u);
+}
+
+TEST_F(PicturesOfARun, UnusableSourcesAndTargetsAreNamed) {
+  Folder empty;
+  EXPECT_NE(user_error([&] { render(empty.path(), to_.path(), {}, host_); }).find("holds no results"),
+            std::string::npos);
+  EXPECT_NE(user_error([&] { render(empty.path() / "no.pvd", to_.path(), {}, host_); }).find("does not exist"),
+            std::string::npos);
+  const fs::path broken = empty.file("broken.vtp", bytes(folder_->path() / "particles_000000.vtp").substr(0, 3000));
+  EXPECT_NE(user_error([&] { render(broken, to_.path(), {}, host_); }).find("broken.vtp: it is missing, damaged"),
+            std::string::npos);
+  const fs::path file = empty.file("in_the_way", "");
+  EXPECT_NE(user_error([&] { render(folder_->path(), file / "sub", {}, host_); }).find("cannot make the folder"),
+            std::string::npos);
+}
+
+TEST(Pictures, TwoDimensions) {
+  Folder from, to;
+  QuietHost host;
+  write_results(Specimen(800, 2), from.path());
+  const auto made = render(from.path(), to.path(), {{"size", 400}}, host);
+  EXPECT_EQ(made.size(), 8u);  // all but the cutaway
+  ASSERT_EQ(host.warnings.size(), 1u);
+  EXPECT_NE(host.warnings[0].find("no inside to show"), std::string::npos);
+  EXPECT_GT(read(to.path() / "cracks.png").share_of(0, 114, 178), 0.002);
+}
+
+TEST(Pictures, NamesMustDiffer) {
+  const Issues issues =
+      issues_of(BRECCIA_PICTURES_PLUGIN, {{"pictures", {{{"show", "cracks"}}, {{"show", "cracks"}}}}});
+  ASSERT_EQ(issues.size(), 1u);
+  EXPECT_EQ(issues[0].path, "pictures[1]");
+}
+
+/// In a process of its own: the loader of EGL drivers reads its variable only once.
+TEST(PicturesDeathTest, WithoutOpenGlTheyAreUnavailable) {
+  ::testing::FLAGS_gtest_death_test_style = "threadsafe";
+  Folder from, to;
+  write_results(Specimen(50, 3), from.path());
+  EXPECT_EXIT(
+      {
+        setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/no/driver.json", 1);
+        QuietHost host;
+        try {
+          render(from.path(), to.path(), {}, host);
+        } catch (const Unavailable& e) {
+          std::fprintf(stderr, "unavailable: %s\n", e.what());
+          std::_Exit(3);
+        }
+        std::_Exit(0);
+      },
+      ::testing::ExitedWithCode(3), "pictures cannot be drawn here: EGL has no surfaceless display");
+}
+
+}  // namespace
+}  // namespace breccia::test
