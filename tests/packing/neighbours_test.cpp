@@ -31,8 +31,8 @@ std::vector<double> all_gaps(const Spheres& s) {
 
 void expect_set(const Spheres& s, const NeighbourSet& set, std::size_t pairs) {
   const auto gaps = all_gaps(s);
-  const std::size_t overlaps = std::size_t(std::lower_bound(gaps.begin(), gaps.end(), 0.0) - gaps.begin());
-  const std::size_t within = std::size_t(std::lower_bound(gaps.begin(), gaps.end(), NeighbourFinder::widest_gap) - gaps.begin());
+  const auto below = [&](double gap) { return std::size_t(std::ranges::lower_bound(gaps, gap) - gaps.begin()); };
+  const std::size_t overlaps = below(0.0), within = below(NeighbourFinder::widest_gap);
   EXPECT_EQ(set.pairs(), pairs == 0 ? overlaps : std::max(overlaps, std::min(pairs, within)));
   for (std::size_t i = 0; i < s.size(); ++i)
     for (const Index j : set.row(i)) {
@@ -69,7 +69,7 @@ TEST(Neighbours, AreFoundAfterMovesSmallAndLarge) {
 TEST(Neighbours, WantTheWallsTheyAlmostTouch) {
   const Container box = Container::box(1, 1, 1);
   Spheres s;
-  s.x = {Vec3(0, 0, 0.11), Vec3(0, 0, 0.21), Vec3(0.39, 0, 0.5)};  // two that touch, the lower near the floor; one at a side
+  s.x = {Vec3(0, 0, 0.11), Vec3(0, 0, 0.21), Vec3(0.39, 0, 0.5)};  // a pair, its lower near the floor; one at a side
   s.r = {0.1, 0.01, 0.1};
   s.x[1].z() = 0.11 + 0.11 * 1.15;                                 // the pair's relative gap: 0.15
   const NeighbourSet set = NeighbourFinder(box, 1).find(s, 1);

@@ -32,7 +32,10 @@ TEST(Packing, CylinderHoldsPorosityRadiiAndWalls) {
   const PackedParticles p = pack(small_cylinder(), host);
   const double volume = std::numbers::pi * 0.005 * 0.005 * 0.012;
   double solid = 0, mean = 0, square = 0;
-  for (const double r : p.radius) { solid += 4 * std::numbers::pi / 3 * r * r * r; mean += r / double(p.radius.size()); }
+  for (const double r : p.radius) {
+    solid += 4 * std::numbers::pi / 3 * r * r * r;
+    mean += r / double(p.radius.size());
+  }
   for (const double r : p.radius) square += (r - mean) * (r - mean) / double(p.radius.size());
   EXPECT_NEAR(1 - solid / volume, 0.25, 1e-9);
   EXPECT_NEAR(got(p, "radius_factor"), 1, 2e-3);
@@ -104,7 +107,8 @@ TEST(Packing, LargeAndSmallSpheresAreMixed) {
   const auto each = [&](auto&& f) {
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j)
-        if (i != j && (p.position[i] - p.position[j]).norm() < 1.15 * (p.radius[i] + p.radius[j])) f(p.radius[i], p.radius[j]);
+        if (i != j && (p.position[i] - p.position[j]).norm() < 1.15 * (p.radius[i] + p.radius[j]))
+          f(p.radius[i], p.radius[j]);
   };
   each([&](double a, double) { m += a; ++pairs; });
   m /= pairs;

@@ -88,12 +88,15 @@ TEST(BagiStrain, OfUnevenDisplacementIsTheBoundaryFlux) {
   LoadedPostprocessor p("bagi_strain");
   p.begin(s.view());
   const double side = 7e-3;
-  // u_z = c z^2 on the lattice: the same on each end face, linear between layers.
-  for (std::size_t k = 0; k < s.position.size(); ++k) s.position[k].z() += -0.5 * s.reference[k].z() * s.reference[k].z();
+  // u_z = -z^2/2 [m] on the lattice: the same on each end face, linear between layers.
+  for (std::size_t k = 0; k < s.position.size(); ++k) {
+    const double z = s.reference[k].z();
+    s.position[k].z() -= 0.5 * z * z;
+  }
   p.sample(s.view());
   EXPECT_NEAR(p.curves.last("axial_strain"), 0.5 * side, 1e-12);
   EXPECT_NEAR(p.curves.last("lateral_strain"), 0, 1e-12);
-  // Around a particle of layer k the slope is that between layers k - 1 and k + 1, and so about -c 2z.
+  // Around a particle of layer k the slope is that between layers k - 1 and k + 1, and so about -z.
   const auto local = p.field(s.view(), "axial_strain_local");
   for (std::size_t k = 0; k < local.size(); ++k)
     EXPECT_NEAR(local[k], s.reference[k].z(), 0.5e-3 + 1e-12);

@@ -67,7 +67,8 @@ TEST(ElasticConstants, SeatingShiftsTheSecantOnly) {
   FakeSummary s = p.finish({});
   EXPECT_NEAR(number(s.headlines["youngs_modulus_Pa"]), rock.modulus, 1e-9 * rock.modulus);
   const double half = 0.5 * number(s.headlines["peak_stress_Pa"]);
-  EXPECT_NEAR(number(s.owned["secant"]["youngs_modulus_Pa"]), half / (half / rock.modulus + rock.seating), 1e-6 * rock.modulus);
+  const double expected = half / (half / rock.modulus + rock.seating);
+  EXPECT_NEAR(number(s.owned["secant"]["youngs_modulus_Pa"]), expected, 1e-6 * rock.modulus);
 }
 
 TEST(ElasticConstants, SecantAsHeadline) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 
 #include "breccia/output.hpp"
 #include "breccia/renderer.hpp"
@@ -132,6 +133,26 @@ TEST_F(PicturesOfARun, ColourRangeMapsValuesToTheEndsOfTheMap) {
   EXPECT_LT(double(bluish) / double(image.pixel.size()), 0.03);  // the colour bar only
 }
 
+TEST_F(PicturesOfARun, TheSvgHoldsTheWholeCurve) {
+  const Json config = {{"size", 400}, {"pictures", {{{"show", "stress_strain"}}}}};
+  render(folder_->path(), to_.path(), config, host_);
+  const std::string svg = bytes(to_.path() / "stress_strain.svg");
+  for (const char* part : {"axial strain ε (%)", "axial stress σ (MPa)", "broken bonds D (%)", "</svg>"})
+    EXPECT_NE(svg.find(part), std::string::npos) << part;
+  // The first polyline is the stress: 201 samples that rise and fall again, from the left edge to the right one.
+  const auto begin = svg.find("points=\"", svg.find("<polyline")) + 8;
+  std::istringstream in(svg.substr(begin, svg.find('"', begin) - begin));
+  std::vector<double> x, y;
+  for (double a = 0, b = 0; in >> a && in.ignore() && in >> b;) { x.push_back(a); y.push_back(b); }
+  ASSERT_EQ(x.size(), 201u);
+  EXPECT_TRUE(std::is_sorted(x.begin(), x.end()));
+  EXPECT_GT(x.back() - x.front(), 250);
+  const auto peak = std::min_element(y.begin(), y.end());  // y points down
+  EXPECT_GT(y.front() - *peak, 150);
+  EXPECT_GT(y.back() - *peak, 150);
+  EXPECT_NE(svg.find("<circle"), std::string::npos);
+}
+
 TEST_F(PicturesOfARun, AProblemOfOnePictureDoesNotStopTheOthers) {
   const Json config = {{"size", 300},
                        {"columns", {{"stress", "axial_stres"}}},
@@ -191,19 +212,23 @@ TEST(Pictures, NamesMustDiffer) {
 /// In a process of its own: the loader of EGL drivers reads its variable only once.
 TEST(PicturesDeathTest, WithoutOpenGlTheyAreUnavailable) {
   ::testing::FLAGS_gtest_death_test_style = "threadsafe";
-  Folder from, to;
-  write_results(Specimen(50, 3), from.path());
   EXPECT_EXIT(
       {
+        int code = 0;
         setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/no/driver.json", 1);
-        QuietHost host;
-        try {
-          render(from.path(), to.path(), {}, host);
-        } catch (const Unavailable& e) {
-          std::fprintf(stderr, "unavailable: %s\n", e.what());
-          std::_Exit(3);
+        {
+          Folder from;
+          Folder to;
+          write_results(Specimen(50, 3), from.path());
+          QuietHost host;
+          try {
+            render(from.path(), to.path(), {}, host);
+          } catch (const Unavailable& e) {
+            std::fprintf(stderr, "unavailable: %s\n", e.what());
+            code = 3;
+          }
         }
-        std::_Exit(0);
+        std::_Exit(code);
       },
       ::testing::ExitedWithCode(3), "pictures cannot be drawn here: EGL has no surfaceless display");
 }

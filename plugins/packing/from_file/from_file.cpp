@@ -47,7 +47,7 @@ class FromFile final : public Packing {
     s.check([](const Config& c, Issues& issues) {
       const std::string type = c.file.extension();
       if (type != ".csv" && type != ".vtp")
-        issues.push_back({"file", "`" + c.file.string() + "` is neither a .csv nor a .vtp file"});
+        issues.push_back({"file", c.file.string() + " is neither a .csv nor a .vtp file"});
 #ifndef BRECCIA_HAS_VTK
       if (type == ".vtp")
         issues.push_back(

@@ -55,7 +55,8 @@ RadiusLaw make_radius_law(const RadiusConfig& c) {
     law.standard_deviation = *c.standard_deviation;
     const double half = std::sqrt(3.0) * law.standard_deviation;
     const bool uniform = law.distribution == Distribution::uniform;
-    law.min = c.min.value_or(uniform ? law.mean - half : std::max(law.mean - 3 * law.standard_deviation, 0.1 * law.mean));
+    const double low = uniform ? law.mean - half : std::max(law.mean - 3 * law.standard_deviation, 0.1 * law.mean);
+    law.min = c.min.value_or(low);
     law.max = c.max.value_or(law.mean + (uniform ? half : 4 * law.standard_deviation));
     if (uniform && (c.min || c.max))
       throw UserError("a uniform distribution needs both min and max, or neither");
@@ -103,13 +104,14 @@ void describe(Schema<Config>& s) {
   s.param("porosity", &Config::porosity).above(0).below(1).example("0.23")
       .doc("void fraction, overlaps counted twice. Without it, the porosity follows from the particles");
   s.param("radius", &Config::radius).doc("of the particles");
-  s.param("neighbours_per_particle", &Config::neighbours_per_particle).above(0).at_most(14).example("11.89")
+  s.param("neighbours_per_particle", &Config::neighbours_per_particle).above(0).at_most(14).example("11.8942")
       .doc("mean number of neighbours of a particle in the set of pairs that are drawn together; best near the mean "
            "number of bonds wanted. By default 12, in two dimensions 5");
   s.param("max_iterations", &Config::max_iterations).at_least(1).at_most(100000)
       .doc("largest number of steps in each of the three stages").fallback(200);
   s.param("tolerance", &Config::tolerance).above(0).below(1)
-      .doc("a stage ends when three steps in a row each lower the sum of squares by less than this share").fallback(1e-4);
+      .doc("a stage ends when three steps in a row each lower the sum of squares by less than this share")
+      .fallback(1e-4);
   s.check([](const Config& c, Issues& issues) {
     if (!c.particles && !c.porosity) issues.push_back({"", "needs particles, or porosity, or both"});
     std::optional<Container> box;

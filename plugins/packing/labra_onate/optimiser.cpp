@@ -54,7 +54,9 @@ Optimiser::Candidate Optimiser::settle(Spheres s, const Stage& stage) {
   Candidate c{std::move(s), {}, 0};
   c.set = finder_.find(c.s, stage.pairs);
   if (stage.pairs == 0) std::fill(c.set.tangent.begin(), c.set.tangent.end(), std::uint8_t(0));
-  for_all(c.s.size(), settings_.threads, [&](std::size_t i) { c.s.x[i] = box_.project(c.s.x[i], c.s.r[i], c.set.tangent[i]); });
+  for_all(c.s.size(), settings_.threads, [&](std::size_t i) {
+    c.s.x[i] = box_.project(c.s.x[i], c.s.r[i], c.set.tangent[i]);
+  });
   c.energy = LeastSquares::energy(c.s, c.set, stage.form, settings_.threads);
   return c;
 }
@@ -71,10 +73,13 @@ Spheres Optimiser::moved(const Candidate& from, const std::vector<Vec4>& step, c
     for (std::size_t i = 0; i < s.size(); ++i) wish[i] = s.r[i] + step[i][3];
     std::vector<std::size_t> order(s.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return wish[a] != wish[b] ? wish[a] < wish[b] : a < b; });
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return wish[a] != wish[b] ? wish[a] < wish[b] : a < b; });
     for (std::size_t k = 0; k < order.size(); ++k) s.r[order[k]] = radii_[k];
   }
-  for_all(s.size(), settings_.threads, [&](std::size_t i) { s.x[i] = box_.project(s.x[i], s.r[i], from.set.tangent[i]); });
+  for_all(s.size(), settings_.threads, [&](std::size_t i) {
+    s.x[i] = box_.project(s.x[i], s.r[i], from.set.tangent[i]);
+  });
   return s;
 }
 

@@ -83,10 +83,12 @@ std::vector<double> quantile_radii(const RadiusLaw& law, std::size_t n) {
     const double ba = (a.deviation - e.deviation) / h, bb = (b.deviation - e.deviation) / h;
     const double determinant = aa * bb - ab * ba;
     if (!(std::abs(determinant) > 0)) break;
-    const double da = -(bb * e.mean - ab * e.deviation) / determinant, db = -(aa * e.deviation - ba * e.mean) / determinant;
+    const double da = -(bb * e.mean - ab * e.deviation) / determinant;
+    const double db = -(aa * e.deviation - ba * e.mean) / determinant;
     bool better = false;
     for (double t = 1; t > 1e-4 && !better; t *= 0.5) {
-      const double next_location = location + t * da * scale, next_scale = scale * std::exp(std::clamp(t * db, -1.0, 1.0));
+      const double next_location = location + t * da * scale;
+      const double next_scale = scale * std::exp(std::clamp(t * db, -1.0, 1.0));
       const Moments next = errors(next_location, next_scale);
       if (!(std::hypot(next.mean, next.deviation) < std::hypot(e.mean, e.deviation))) continue;
       location = next_location; scale = next_scale; e = next;

@@ -21,8 +21,8 @@ void judge_porosity(double porosity, int dimension, Host& host) {
   const double impossible = dimension == 2 ? 0.03 : 0.10, tight = dimension == 2 ? 0.08 : 0.18;
   const double loose = dimension == 2 ? 0.25 : 0.45;
   if (porosity < impossible - 1e-9)
-    throw UserError(text("a porosity of %.3g %% is out of reach: particles would mostly lie inside each other. Ask for at "
-                         "least %.3g %%, with fewer particles or smaller radii", 100 * porosity, 100 * impossible));
+    throw UserError(text("a porosity of %.3g %% is out of reach: particles would mostly lie inside each other. Ask for "
+                         "at least %.3g %%, with fewer particles or smaller radii", 100 * porosity, 100 * impossible));
   if (porosity < tight - 1e-9)
     host.warn(text("a porosity of %.3g %% means large overlaps: see the overlaps in the report of the packing",
                    100 * porosity));
@@ -47,7 +47,8 @@ Sizes choose_sizes(const Config& c, const RadiusLaw& law, const Container& box, 
     constexpr std::size_t samples = 1000;
     const double each = solid_measure(quantile_radii(law, samples), dimension) / samples;
     const double wanted = (1 - *c.porosity) * box.measure() / each;
-    if (wanted > 50e6) throw UserError(text("this porosity takes %.3g particles, more than 50 million: use larger radii", wanted));
+    if (wanted > 50e6)
+      throw UserError(text("this porosity takes %.3g particles, more than 50 million: use larger radii", wanted));
     n = std::size_t(std::max(1.0, std::round(wanted)));
   }
   Sizes sizes{quantile_radii(law, n), 1};
@@ -55,12 +56,12 @@ Sizes choose_sizes(const Config& c, const RadiusLaw& law, const Container& box, 
     const double ratio = (1 - *c.porosity) * box.measure() / solid_measure(sizes.radii, dimension);
     sizes.factor = std::pow(ratio, 1.0 / dimension);
     if (sizes.factor > 1.5 || sizes.factor < 1 / 1.5)
-      throw UserError(text("these radii do not go with this porosity: they would have to be multiplied by %.3g. About %.0f "
-                           "particles of these radii give it; change particles, porosity, radius or container",
+      throw UserError(text("these radii do not go with this porosity: they would have to be multiplied by %.3g. About "
+                           "%.0f particles of these radii give it; change particles, porosity, radius or container",
                            sizes.factor, double(n) * ratio));
     if (std::abs(sizes.factor - 1) > 0.02)
-      host.warn(text("all radii were multiplied by %.4f, so that %.0f particles give the porosity asked for", sizes.factor,
-                     double(n)));
+      host.warn(text("all radii were multiplied by %.4f, so that %.0f particles give the porosity asked for",
+                     sizes.factor, double(n)));
     for (double& r : sizes.radii) r *= sizes.factor;
   }
   judge_porosity(1 - solid_measure(sizes.radii, dimension) / box.measure(), dimension, host);

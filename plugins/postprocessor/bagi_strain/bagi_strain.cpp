@@ -34,9 +34,10 @@ class BagiStrain final : public Postprocessor {
         .source("Bagi (1996), Mechanics of Materials 22, 165-177; Rojek et al. (2012), section 5.3")
         .details(
             "The centres are joined to tetrahedra (triangles in two dimensions) by their regular triangulation, at the "
-            "first step and again at the start of loading. Displacements are linear in each; the strain is the symmetric "
-            "part of their volume-weighted mean gradient, for small strains. Components are positive in extension; "
-            "`axial_strain` and `volumetric_strain` are positive in compression, `lateral_strain` in extension.");
+            "first step and again at the start of loading. Displacements are linear in each; the strain is the "
+            "symmetric part of their volume-weighted mean gradient, for small strains. Components are positive in "
+            "extension; `axial_strain` and `volumetric_strain` are positive in compression, `lateral_strain` in "
+            "extension.");
     s.param("hull_gap", &Config::hull_gap).above(0).fallback(1.0)
         .doc("simplices on the outline that bridge a gap between two particles wider than this many mean particle "
              "diameters are left out, from outside inward");
@@ -91,7 +92,8 @@ class BagiStrain final : public Postprocessor {
     summary.own("hidden_particles", r.hidden);
     summary.own("boundary_particles", r.boundary);
     summary.own("triangulated_volume_m3", volume);
-    summary.own("triangulated_share_of_specimen", view.specimen.volume > 0 ? Json(volume / view.specimen.volume) : Json());
+    const double specimen = view.specimen.volume;
+    summary.own("triangulated_share_of_specimen", specimen > 0 ? Json(volume / specimen) : Json());
   }
 
  private:

@@ -30,8 +30,8 @@ double longest_edge(const Triangulation& t, const std::array<Index, 4>& s, std::
 void require_volume(int dimension, std::span<const Vec3> centre) {
   const std::string what = dimension == 3 ? "tetrahedra" : "triangles";
   if (centre.size() < std::size_t(dimension) + 1)
-    throw UserError("bagi_strain: the packing has " + std::to_string(centre.size()) + " particles; strain is averaged over " +
-                    what + " of their centres, which takes at least " + std::to_string(dimension + 1));
+    throw UserError("bagi_strain: the packing has " + std::to_string(centre.size()) + " particles; strain is averaged "
+                    "over " + what + " of their centres, which takes at least " + std::to_string(dimension + 1));
   Vec3 mean = Vec3::Zero();
   for (const Vec3& x : centre) mean += x;
   mean /= double(centre.size());

@@ -9,7 +9,9 @@ namespace {
 
 class UnionFind {
  public:
-  explicit UnionFind(std::size_t count) : parent_(count), size_(count, 1) { std::iota(parent_.begin(), parent_.end(), 0u); }
+  explicit UnionFind(std::size_t count) : parent_(count), size_(count, 1) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
   Index root(Index a) {
     while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];  // path halving
     return a;

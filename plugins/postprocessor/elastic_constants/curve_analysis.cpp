@@ -13,7 +13,9 @@ CurvePoint between(const StressStrainCurve& c, std::size_t row, double level) {
   return {level, at(c.strain), at(c.lateral)};
 }
 
-CurvePoint at_row(const StressStrainCurve& c, std::size_t row) { return {c.stress[row], c.strain[row], c.lateral[row]}; }
+CurvePoint at_row(const StressStrainCurve& c, std::size_t row) {
+  return {c.stress[row], c.strain[row], c.lateral[row]};
+}
 
 }  // namespace
 

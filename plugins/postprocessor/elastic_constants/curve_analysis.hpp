@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// What is read off a stress-strain curve: peak, slopes, secants, brittleness. The curve rises in its own sense: loading
-/// makes stress and strain grow.
+/// What is read off a stress-strain curve: peak, slopes, secants, brittleness. The curve rises in its own sense:
+/// loading makes stress and strain grow.
 #pragma once
 
 #include <cstddef>

@@ -34,13 +34,14 @@ class ElasticConstants final : public Postprocessor {
     s.summary("Young's modulus, Poisson's ratio, peak stress and brittleness from the curves of the run")
         .source("ISRM (1979), Int. J. Rock Mech. Min. Sci. 16, 135-140; Rojek et al. (2012), Eq. 61")
         .details(
-            "`average`: least-squares slope of the samples from `range_lower` to `range_upper` of the peak stress, on the "
-            "first way up (ISRM's average modulus of the straight part). `secant`: from the origin to `secant_at` of the "
-            "peak. Poisson's ratio is lateral over axial strain, taken in the same way. Name the stress `deviatoric_stress` "
-            "in a confined test, so that it starts at zero.");
+            "`average`: least-squares slope of the samples from `range_lower` to `range_upper` of the peak stress, on "
+            "the first way up (ISRM's average modulus of the straight part). `secant`: from the origin to `secant_at` "
+            "of the peak. Poisson's ratio is lateral over axial strain, taken in the same way. Name the stress "
+            "`deviatoric_stress` in a confined test, so that it starts at zero.");
     s.param("stress", &Config::stress).fallback("axial_stress").doc("curve of the stress, compression positive");
     s.param("strain", &Config::strain).fallback("axial_strain").doc("curve of the axial strain, compression positive");
-    s.param("lateral", &Config::lateral).fallback("lateral_strain").doc("curve of the lateral strain, extension positive");
+    s.param("lateral", &Config::lateral).fallback("lateral_strain")
+        .doc("curve of the lateral strain, extension positive");
     s.param("sense", &Config::sense)
         .choice("compression", Sense::compression, "the curves grow with the load")
         .choice("tension", Sense::tension, "a tension test: all three curves are taken with the opposite sign")
@@ -55,7 +56,8 @@ class ElasticConstants final : public Postprocessor {
         .doc("share of the peak stress where the straight part begins, past seating");
     s.param("range_upper", &Config::range_upper).above(0).at_most(1).fallback(0.4)
         .doc("share of the peak stress where the straight part ends, before cracks begin to grow");
-    s.param("secant_at", &Config::secant_at).above(0).at_most(1).fallback(0.5).doc("share of the peak stress of the secant");
+    s.param("secant_at", &Config::secant_at).above(0).at_most(1).fallback(0.5)
+        .doc("share of the peak stress of the secant");
     s.check([](const Config& c, Issues& issues) {
       if (c.range_lower >= c.range_upper) issues.push_back({"range_lower", "must be less than range_upper"});
     });
@@ -64,7 +66,8 @@ class ElasticConstants final : public Postprocessor {
   explicit ElasticConstants(const Config& config) : config_(config) {}
 
   void finish(const SimulationView&, const Curves& curves, Summary& summary) override {
-    const StressStrainCurve c{load(curves, config_.stress), load(curves, config_.strain), load(curves, config_.lateral)};
+    const StressStrainCurve c{load(curves, config_.stress), load(curves, config_.strain),
+                              load(curves, config_.lateral)};
     const Peak peak = c.stress.empty() ? Peak{} : find_peak(c);
     if (!(peak.stress > 0)) {
       for (const char* key : {"youngs_modulus_Pa", "poisson_ratio", "peak_stress_Pa", "peak_strain"})
@@ -90,18 +93,20 @@ class ElasticConstants final : public Postprocessor {
 
     summary.own("sense", name_of_sense());
     summary.own("modulus", average ? "average" : "secant");
-    summary.own("average", Json{{"youngs_modulus_Pa", or_null(slope_modulus)}, {"poisson_ratio", or_null(slope_poisson)},
+    summary.own("average", Json{{"youngs_modulus_Pa", or_null(slope_modulus)},
+                                {"poisson_ratio", or_null(slope_poisson)},
                                 {"range", fit_report(c, range, slope, lateral)}});
-    summary.own("secant", Json{{"youngs_modulus_Pa", or_null(secant_modulus)}, {"poisson_ratio", or_null(secant_poisson)},
+    summary.own("secant", Json{{"youngs_modulus_Pa", or_null(secant_modulus)},
+                               {"poisson_ratio", or_null(secant_poisson)},
                                {"share_of_peak", config_.secant_at}});
     const auto half = first_fall_to(c, 0.5 * peak.stress, peak.row);
     summary.own("after_peak", Json{{"last_stress_over_peak", c.stress.back() / peak.stress},
                                    {"strain_to_half_of_peak", half ? Json(half->strain - peak.strain) : Json()}});
     if (!peak.passed)
-      summary.own("note", "the run ended before the stress had fallen by 5 % from its largest value, which need not be the "
-                          "strength; all shares of the peak refer to it");
+      summary.own("note", "the run ended before the stress had fallen by 5 % from its largest value, which need not be "
+                          "the strength; all shares of the peak refer to it");
     else if (!slope)
-      summary.own("note", "fewer than three samples lie in the range of the slope; sample more often or widen the range");
+      summary.own("note", "fewer than three samples lie in the range of the slope; sample more often or widen it");
   }
 
  private:

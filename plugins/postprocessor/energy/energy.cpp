@@ -26,7 +26,8 @@ constexpr std::array<Account, 8> accounts{{
     {"energy_damping", "dissipated by the non-viscous damping", [](const EnergyLedger& e) { return e.damping; }},
     {"energy_contact", "dissipated otherwise in contacts", [](const EnergyLedger& e) { return e.contact; }},
     {"energy_fracture", "released by breaking bonds", [](const EnergyLedger& e) { return e.fracture; }},
-    {"energy_error", "initial energy plus boundary work, minus all of the others", [](const EnergyLedger& e) { return e.error(); }},
+    {"energy_error", "initial energy plus boundary work, minus all of the others",
+     [](const EnergyLedger& e) { return e.error(); }},
 }};
 
 double largest_size(std::span<const double> values) {
@@ -43,8 +44,9 @@ class Energy final : public Postprocessor {
   static void describe(Schema<Config>& s) {
     s.summary("Energy balance: where the work of the boundary went, and what is unaccounted for")
         .details(
-            "error = initial + boundary work - (elastic + kinetic + friction + damping + contact + fracture), counted from "
-            "the start of loading, initial being elastic + kinetic at that moment. The headline `energy_error` is its size at the end over the largest boundary work of the run.");
+            "error = initial + boundary work - (elastic + kinetic + friction + damping + contact + fracture), counted "
+            "from the start of loading, initial being elastic + kinetic at that moment. The headline `energy_error` is "
+            "its size at the end over the largest boundary work of the run.");
   }
 
   explicit Energy(const Config&) {}

@@ -33,12 +33,13 @@ class Stress final : public Postprocessor {
   struct Config {};
   static void describe(Schema<Config>& s) {
     s.summary("Stress from the forces between the particles, averaged over the specimen")
-        .source("Christoffersen, Mehrabadi, Nemat-Nasser (1981), J. Appl. Mech. 48, 339-344; Rojek et al. (2012), section 5.3")
+        .source("Christoffersen, Mehrabadi, Nemat-Nasser (1981), J. Appl. Mech. 48, 339-344; "
+                "Rojek et al. (2012), section 5.3")
         .details(
             "sigma = (1/V) [sum over pairs of l_ij (x) F on i + sum over wall contacts of (contact point - centre) (x) "
-            "force on the particle], l_ij from centre i to centre j, V the volume of the specimen as measured at the start "
-            "of loading. Components are positive in tension; `axial_stress`, `lateral_stress` and `mean_stress` are positive "
-            "in compression.");
+            "force on the particle], l_ij from centre i to centre j, V the volume of the specimen as measured at the "
+            "start of loading. Components are positive in tension; `axial_stress`, `lateral_stress` and `mean_stress` "
+            "are positive in compression.");
   }
 
   explicit Stress(const Config&) {}
@@ -54,8 +55,9 @@ class Stress final : public Postprocessor {
     mean_ = recorder.add({"mean_stress", "Pa", "third of the trace (half in two dimensions), positive in compression"});
     deviatoric_ = recorder.add({"deviatoric_stress", "Pa",
                                 "von Mises equivalent; in two dimensions the difference of the principal stresses"});
-    skew_ = recorder.add({"stress_skew_part", "Pa", "norm of the antisymmetric part of the mean stress before it is dropped; "
-                                                    "zero in equilibrium without moments"});
+    skew_ = recorder.add({"stress_skew_part", "Pa",
+                          "norm of the antisymmetric part of the mean stress before it is dropped; zero in equilibrium "
+                          "without moments"});
   }
 
   void sample(const SimulationView& view, Recorder& recorder) override {

@@ -53,7 +53,7 @@ Chart stress_strain_chart(const CurvesFile& curves, const CurveNames& names) {
   if (damage) {
     const Shown d = shown(*damage);
     chart.right_title = axis_title(*damage, d.unit);
-    chart.right_from_zero_to_full = damage->unit.empty();
+    chart.right_from_zero = damage->unit.empty();
     chart.lines.push_back({damage->name == "global_damage" ? "broken bonds" : title(damage->name, ""), x.value, d.value,
                            vermillion, true, false, true});
   }

@@ -172,9 +172,11 @@ class Pictures final : public Renderer {
       case Motif::strains: {
         if (results.curves.empty()) throw UserError("there is no curves.csv");
         const CurvesFile curves(results.curves);
-        draw_chart(p.show == Motif::strains ? strains_chart(curves, config_.columns)
-                                            : stress_strain_chart(curves, config_.columns),
-                   sheet, png, svg);
+        const Chart chart = p.show == Motif::strains ? strains_chart(curves, config_.columns)
+                                                     : stress_strain_chart(curves, config_.columns);
+        const ChartLayout layout = layout_of(chart, sheet);
+        write_png(chart, layout, sheet, png);
+        write_svg(chart, layout, sheet, svg);
         made.push_back(png);
         made.push_back(svg);
         return;

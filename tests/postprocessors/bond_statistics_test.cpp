@@ -20,7 +20,7 @@ FakeSimulation chain() {
 
 TEST(Bonds, FieldsAreInTheBondsOwnFrame) {
   FakeSimulation s = chain();
-  LoadedPostprocessor p("bonds");
+  LoadedPostprocessor p("bond_statistics");
   p.begin(s.view());
   s.position[3].x() += 0.25;
   EXPECT_EQ(p.field(s.view(), "normal_force"), (std::vector<double>{1, -2, 6}));
@@ -34,7 +34,7 @@ TEST(Bonds, FieldsAreInTheBondsOwnFrame) {
 TEST(Bonds, Statistics) {
   FakeSimulation s = chain();
   s.add_pair(0, 3, Vec3(100, 0, 0));  // not a bond
-  LoadedPostprocessor p("bonds");
+  LoadedPostprocessor p("bond_statistics");
   p.begin(s.view());
   p.sample(s.view());
   EXPECT_DOUBLE_EQ(p.curves.last("bond_force_mean"), 3);
@@ -53,7 +53,7 @@ TEST(Bonds, Statistics) {
 
 TEST(Bonds, SummaryAtThePeakIsThatSample) {
   FakeSimulation s = chain();
-  LoadedPostprocessor p("bonds", {{"peak_of", "platen_stress"}});
+  LoadedPostprocessor p("bond_statistics", {{"peak_of", "platen_stress"}});
   p.begin(s.view());
   p.sample(s.view());
   s.set_force(2, Vec3(9, 0, 0));
@@ -70,11 +70,11 @@ TEST(Bonds, SummaryAtThePeakIsThatSample) {
 
 TEST(Bonds, PeakNeedsACurve) {
   FakeSimulation s = chain();
-  LoadedPostprocessor without("bonds");
+  LoadedPostprocessor without("bond_statistics");
   without.begin(s.view());
   without.sample(s.view());
   EXPECT_EQ(without.finish(s.view()).owned.count("at_peak"), 0u);
-  LoadedPostprocessor misnamed("bonds", {{"peak_of", "no_such_curve"}});
+  LoadedPostprocessor misnamed("bond_statistics", {{"peak_of", "no_such_curve"}});
   misnamed.begin(s.view());
   misnamed.sample(s.view());
   EXPECT_THROW(misnamed.finish(s.view()), UserError);
@@ -83,7 +83,7 @@ TEST(Bonds, PeakNeedsACurve) {
 TEST(Bonds, OfAnAssemblyWithoutBonds) {
   FakeSimulation s;
   s.add_particle(Vec3::Zero(), 1);
-  LoadedPostprocessor p("bonds");
+  LoadedPostprocessor p("bond_statistics");
   p.begin(s.view());
   p.sample(s.view());
   EXPECT_EQ(p.curves.last("bond_force_mean"), 0);

@@ -99,7 +99,7 @@ Json initial_gaps(const SimulationView& view) {
 
 }  // namespace
 
-class Bonds final : public Postprocessor {
+class BondStatistics final : public Postprocessor {
  public:
   struct Config {
     std::optional<std::string> peak_of;
@@ -108,14 +108,14 @@ class Bonds final : public Postprocessor {
     s.summary("Forces and lengths of the bonds, their statistics, strong and weak network")
         .source("strong network: Radjai et al. (1996), Phys. Rev. Lett. 77, 274-277")
         .details(
-            "Statistics are of the size of the normal force of the bonds that hold. The strong network is what carries more "
-            "than the mean. Gaps are d0/(r_i + r_j) - 1 when the bonds were made.");
+            "Statistics are of the size of the normal force of the bonds that hold. The strong network is what carries "
+            "more than the mean. Gaps are d0/(r_i + r_j) - 1 when the bonds were made.");
     s.param("peak_of", &Config::peak_of).example("axial_stress")
         .doc("curve whose largest value says when the summary's statistics at the peak are taken; when left out, "
              "axial_stress if there is such a curve");
   }
 
-  explicit Bonds(const Config& config) : config_(config) {}
+  explicit BondStatistics(const Config& config) : config_(config) {}
 
   void begin(const SimulationView&, Recorder& recorder, Host&) override {
     for (std::size_t k = 0; k < std::size(quantities); ++k)
@@ -167,4 +167,4 @@ class Bonds final : public Postprocessor {
 
 }  // namespace breccia
 
-BRECCIA_PLUGIN(breccia::Bonds, "postprocessor", "bonds")
+BRECCIA_PLUGIN(breccia::BondStatistics, "postprocessor", "bond_statistics")
