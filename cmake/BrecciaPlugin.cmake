@@ -23,6 +23,13 @@ function(breccia_add_plugin kind name)
   endif()
   set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME "breccia_${kind}.${name}" SUFFIX ".so"
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  if(TARGET breccia_headers_plugins)
+    if("OpenMP::OpenMP_CXX" IN_LIST P_LINK)  # another dialect: headers of its own
+      target_precompile_headers(${target} PRIVATE <breccia/contact_law.hpp>)
+    else()
+      target_precompile_headers(${target} REUSE_FROM breccia_headers_plugins)
+    endif()
+  endif()
   if(CMAKE_PROJECT_NAME STREQUAL "Breccia")
     set_target_properties(${target} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib/breccia)
     install(TARGETS ${target} LIBRARY DESTINATION lib/breccia)

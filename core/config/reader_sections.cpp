@@ -12,12 +12,12 @@ namespace breccia {
 
 namespace {
 
-std::string quoted(const std::string& s) { return "`" + s + "`"; }
+std::string in_ticks(const std::string& s) { return "`" + s + "`"; }
 
 std::string joined(const std::vector<std::string>& names, const char* last) {
   std::string out;
   for (std::size_t k = 0; k < names.size(); ++k)
-    out += (k == 0 ? "" : k + 1 == names.size() ? last : ", ") + quoted(names[k]);
+    out += (k == 0 ? "" : k + 1 == names.size() ? last : ", ") + in_ticks(names[k]);
   return out;
 }
 
@@ -45,10 +45,10 @@ bool SectionReader::check_mapping(const YamlNode& node, const Site& site, const 
   std::string hint;
   if (node.kind == YamlNode::Kind::scalar) {
     const std::string spaced = with_space_after_colon(node.text);
-    if (!spaced.empty()) hint = "; a space is missing after the colon: write " + quoted(spaced);
-    else if (spec.type == ParamType::plugin) hint = "; write " + quoted("type: " + node.text) + " in it";
+    if (!spaced.empty()) hint = "; a space is missing after the colon: write " + in_ticks(spaced);
+    else if (spec.type == ParamType::plugin) hint = "; write " + in_ticks("type: " + node.text) + " in it";
   }
-  const std::string what = node.kind == YamlNode::Kind::sequence ? "a list" : "the value " + quoted(node.text);
+  const std::string what = node.kind == YamlNode::Kind::sequence ? "a list" : "the value " + in_ticks(node.text);
   report(node.place, site.path, "must be " + wanted_value(spec) + ", not " + what + hint);
   return false;
 }
@@ -89,11 +89,11 @@ void SectionReader::check_known(const ParamSpec& group, const YamlNode& node, co
     if (const auto gone = group.removed.find(entry.key); gone != group.removed.end()) {
       report(entry.place, path, "is no longer a parameter; " + gone->second);
     } else if (const std::string spaced = with_space_after_colon(entry.key); !spaced.empty()) {
-      report(entry.place, site.path, "a space is missing after the colon: write " + quoted(spaced));
+      report(entry.place, site.path, "a space is missing after the colon: write " + in_ticks(spaced));
       meant.insert(spaced.substr(0, spaced.find(':')));
     } else if (const auto section = section_with_key(entry.key, site.path, root_, tree_, plugins_)) {
-      report(entry.place, path, "does not belong here; " + quoted(entry.key) + " belongs " +
-             (section->empty() ? "at the top level" : "under " + quoted(*section)));
+      report(entry.place, path, "does not belong here; " + in_ticks(entry.key) + " belongs " +
+             (section->empty() ? "at the top level" : "under " + in_ticks(*section)));
     } else {
       const std::string near = closest(entry.key, free_names);
       meant.insert(near);
@@ -149,13 +149,13 @@ bool SectionReader::is_decided_otherwise(const ParamSpec& group, const std::stri
 void SectionReader::report_missing(const ParamSpec& member, const Site& site) {
   const std::string example = example_line(member);
   report(site.place, site.path, "is missing" + (member.doc.empty() ? "" : ": " + member.doc) +
-         (example.empty() ? "" : "; for instance " + quoted(example)));
+         (example.empty() ? "" : "; for instance " + in_ticks(example)));
 }
 
 Json SectionReader::read_list(const ParamSpec& spec, const YamlNode& node, const Site& site) {
   if (node.kind != YamlNode::Kind::sequence) {
     report(node.place, site.path, "must be " + wanted_value(spec) + ", not " +
-           (node.kind == YamlNode::Kind::mapping ? "a mapping" : "the value " + quoted(node.text)));
+           (node.kind == YamlNode::Kind::mapping ? "a mapping" : "the value " + in_ticks(node.text)));
     return nullptr;
   }
   const std::size_t count = node.items.size();
@@ -199,8 +199,8 @@ Json SectionReader::read_plugin_type(const ParamSpec& spec, const YamlNode& node
   }
   if (std::find(known.begin(), known.end(), value.text) == known.end()) {
     const std::string near = closest(value.text, known);
-    report(value.place, path, "no " + spec.plugin_kind + " is named " + quoted(value.text) +
-           (near.empty() ? "" : "; did you mean " + quoted(near) + "?") + (near.empty() ? "; " : " ") + names);
+    report(value.place, path, "no " + spec.plugin_kind + " is named " + in_ticks(value.text) +
+           (near.empty() ? "" : "; did you mean " + in_ticks(near) + "?") + (near.empty() ? "; " : " ") + names);
     return nullptr;
   }
   return value.text;

@@ -12,7 +12,7 @@ namespace breccia {
 
 namespace {
 
-std::string quoted(const std::string& s) { return "`" + s + "`"; }
+std::string in_ticks(const std::string& s) { return "`" + s + "`"; }
 
 /// A bound in the unit that the user wrote, where that gives a short number, else in SI.
 std::string bound_text(const Bound& bound, const Quantity& written, const std::string& si_unit) {
@@ -33,7 +33,7 @@ std::string range_problem(const ParamSpec& spec, double value, const std::string
     problem = (spec.lower->inclusive ? "must be at least " : "must be above ") + text(*spec.lower);
   else if (spec.upper && !(spec.upper->inclusive ? value <= spec.upper->value : value < spec.upper->value))
     problem = (spec.upper->inclusive ? "must be at most " : "must be below ") + text(*spec.upper);
-  return problem.empty() ? problem : problem + ", not " + quoted(written);
+  return problem.empty() ? problem : problem + ", not " + in_ticks(written);
 }
 
 }  // namespace
@@ -93,7 +93,7 @@ Json SectionReader::read_quantity_value(const ParamSpec& spec, const YamlNode& n
 
 Json SectionReader::read_integer(const ParamSpec& spec, const YamlNode& node, const Site& site) {
   const auto refuse = [&](const std::string& why) {
-    report(node.place, site.path, quoted(node.text) + " " + why);
+    report(node.place, site.path, in_ticks(node.text) + " " + why);
     return nullptr;
   };
   const auto number = scan_decimal(node.text);
@@ -120,7 +120,7 @@ Json SectionReader::read_integer(const ParamSpec& spec, const YamlNode& node, co
 Json SectionReader::read_boolean(const YamlNode& node, const Site& site) {
   if (node.plain && (node.text == "true" || node.text == "false")) return node.text == "true";
   report(node.place, site.path,
-         quoted(node.text) + " is neither `true` nor `false`" + (node.plain ? "" : "; leave the quotes out"));
+         in_ticks(node.text) + " is neither `true` nor `false`" + (node.plain ? "" : "; leave the quotes out"));
   return nullptr;
 }
 
@@ -131,8 +131,8 @@ Json SectionReader::read_choice(const ParamSpec& spec, const YamlNode& node, con
     names.push_back(choice.name);
   }
   const std::string near = closest(node.text, names);
-  report(node.place, site.path, quoted(node.text) + " is not one of " + list_of(names, 30) +
-         (near.empty() ? "" : "; did you mean " + quoted(near) + "?"));
+  report(node.place, site.path, in_ticks(node.text) + " is not one of " + list_of(names, 30) +
+         (near.empty() ? "" : "; did you mean " + in_ticks(near) + "?"));
   return nullptr;
 }
 

@@ -17,21 +17,21 @@ std::string_view trimmed(std::string_view s) {
   return s;
 }
 
-std::string quoted(std::string_view s) { return "`" + std::string(s) + "`"; }
+std::string in_ticks(std::string_view s) { return "`" + std::string(s) + "`"; }
 
 /// "a pressure such as Pa, MPa, GPa or psi", for messages.
 std::string needed(const units::Dimension& dimension, const std::string& si_unit) {
   const units::Family* family = units::family_of(dimension);
-  if (!family) return "a quantity in " + quoted(si_unit);
+  if (!family) return "a quantity in " + in_ticks(si_unit);
   if (dimension.empty()) return std::string(family->name) + " (" + family->examples + ")";
   return std::string(family->name) + " such as " + family->examples;
 }
 
 DecimalText read_number(std::string_view text) {
   const auto number = scan_decimal(text);
-  if (!number) throw UserError(quoted(text) + " is not a number");
+  if (!number) throw UserError(in_ticks(text) + " is not a number");
   if (has_leading_zero(*number))
-    throw UserError(quoted(text) + " begins with a zero, which some programs take for octal; leave the zero out");
+    throw UserError(in_ticks(text) + " begins with a zero, which some programs take for octal; leave the zero out");
   return *number;
 }
 
@@ -57,13 +57,13 @@ std::optional<double> convert(const DecimalText& number, double factor, double o
 [[noreturn]] void refuse_unit(std::string_view unit, const units::Unit* found, const units::Unit& wanted,
                               const std::string& si_unit) {
   const std::string similar = units::similar_unit(unit, wanted.dimension);
-  const std::string hint = similar.empty() ? std::string() : "; did you mean " + quoted(similar) + "?";
+  const std::string hint = similar.empty() ? std::string() : "; did you mean " + in_ticks(similar) + "?";
   if (!found) {
-    throw UserError(quoted(unit) + " is not a known unit; " + needed(wanted.dimension, si_unit) + " is needed" + hint);
+    throw UserError(in_ticks(unit) + " is not a known unit; " + needed(wanted.dimension, si_unit) + " is needed" + hint);
   }
   const units::Family* family = units::family_of(found->dimension);
   const std::string what = family ? std::string("is ") + family->name : std::string("is of another dimension");
-  throw UserError(quoted(unit) + " " + what + "; " + needed(wanted.dimension, si_unit) + " is needed" + hint);
+  throw UserError(in_ticks(unit) + " " + what + "; " + needed(wanted.dimension, si_unit) + " is needed" + hint);
 }
 
 units::Unit unit_of_schema(const std::string& si_unit) {
@@ -81,16 +81,16 @@ Quantity read_quantity(std::string_view written, const std::string& si_unit) {
   const std::string_view rest = text.substr(number.length), unit = trimmed(rest);
   if (unit.empty() && si_unit != "1") {
     const std::string example = std::string(text) + " " + usual_unit(si_unit);
-    throw UserError(quoted(text) + " needs a unit: write for instance " + quoted(example));
+    throw UserError(in_ticks(text) + " needs a unit: write for instance " + in_ticks(example));
   }
   Quantity quantity;
   quantity.unit = unit;
   if (!unit.empty()) {
     const char first = unit.front();
     if (first == ',' || first == '\'' || first == '_' || (first >= '0' && first <= '9' && unit.substr(0, 2) != "1/"))
-      throw UserError(quoted(text) + " is not one number: the decimal sign is a point, and digits are not grouped");
+      throw UserError(in_ticks(text) + " is not one number: the decimal sign is a point, and digits are not grouped");
     if (rest.front() == '.' || rest.front() == '-' || rest.front() == '+' || rest.front() == '*' || rest.front() == '/')
-      throw UserError(quoted(text) + " is not a number and a unit: " + quoted(rest) +
+      throw UserError(in_ticks(text) + " is not a number and a unit: " + in_ticks(rest) +
                       " has no meaning after the number");
     if (const std::string problem = unit_syntax_problem(unit); !problem.empty()) throw UserError(problem);
     const auto found = units::find_unit(unit);
@@ -99,7 +99,7 @@ Quantity read_quantity(std::string_view written, const std::string& si_unit) {
     quantity.offset = (found->offset - wanted.offset) / wanted.factor;
   }
   const auto value = convert(number, quantity.factor, quantity.offset);
-  if (!value) throw UserError(quoted(text) + " is beyond the range of numbers (about 1e-308 to 1e308 in SI units)");
+  if (!value) throw UserError(in_ticks(text) + " is beyond the range of numbers (about 1e-308 to 1e308 in SI units)");
   quantity.si = *value;
   return quantity;
 }
@@ -113,7 +113,7 @@ std::string format_quantity(double si, const std::string& si_unit) {
 
 std::string dimension_name(const std::string& si_unit) {
   const units::Family* family = units::family_of(unit_of_schema(si_unit).dimension);
-  return family ? family->name : "a quantity in " + quoted(si_unit);
+  return family ? family->name : "a quantity in " + in_ticks(si_unit);
 }
 
 std::string usual_unit(const std::string& si_unit) {

@@ -25,13 +25,13 @@ bool is_plain_text(const std::string& text) {
   return true;
 }
 
-std::string quoted(const std::string& text) { return Json(text).dump(); }
+std::string in_ticks(const std::string& text) { return Json(text).dump(); }
 
 std::string scalar_text(const YamlNode& node) {
-  return node.plain || is_plain_text(node.text) ? node.text : quoted(node.text);
+  return node.plain || is_plain_text(node.text) ? node.text : in_ticks(node.text);
 }
 
-std::string key_text(const std::string& key) { return is_plain_text(key) ? key : quoted(key); }
+std::string key_text(const std::string& key) { return is_plain_text(key) ? key : in_ticks(key); }
 
 bool is_flat(const YamlNode& list) {
   return std::all_of(list.items.begin(), list.items.end(), [](const YamlPtr& item) {

@@ -104,9 +104,9 @@ PluginInfo inspect_plugin(const fs::path& path) {
                                 "BRECCIA_PLUGIN or BRECCIA_CONTACT_LAW", file));
   const BrecciaPluginDescriptor d = read_descriptor(elf, *symbol, file);
   const auto text = [&](std::size_t offset) { return elf.text(symbol->address + offset).value_or(""); };
-  const auto quoted = [&](std::size_t offset) { return fmt::format("`{}`", text(offset)); };
-  agree(file, "the compiler", quoted(offsetof(BrecciaPluginDescriptor, compiler)), "`" BRECCIA_COMPILER_ABI "`");
-  agree(file, "the standard library", quoted(offsetof(BrecciaPluginDescriptor, standard_library)),
+  const auto in_ticks = [&](std::size_t offset) { return fmt::format("`{}`", text(offset)); };
+  agree(file, "the compiler", in_ticks(offsetof(BrecciaPluginDescriptor, compiler)), "`" BRECCIA_COMPILER_ABI "`");
+  agree(file, "the standard library", in_ticks(offsetof(BrecciaPluginDescriptor, standard_library)),
         "`" BRECCIA_STDLIB_ABI "`");
   const auto size = [&](const char* type, std::uint32_t found, std::size_t needed) {
     const std::string what = fmt::format("{} of", type);

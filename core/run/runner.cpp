@@ -69,6 +69,8 @@ class Run {
     const SimulationView view = simulation_->view();
     protocol_->setup(view, *simulation_, curves_, monitor_);
     for (auto& p : posts_) p->begin(view, curves_, monitor_);
+    for (auto& p : posts_)
+      for (const std::string& name : p->needed_curves()) (void)curves_.column(name);
     frames_->begin(options_.folder, monitor_);
     simulation_->prepare();
     curves_.open(options_.folder / "curves.csv");

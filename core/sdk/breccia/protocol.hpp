@@ -27,7 +27,7 @@ class LoadControl {
   virtual void hold(Index particle, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity) = 0;
   virtual void release(Index particle, std::uint8_t mask) = 0;
   virtual void set_applied_force(Index particle, const Vec3& force) = 0;  ///< stays until set again [N]
-  /// Starts the ledger of energies, damage counts and reference positions (displacements) afresh.
+  /// Starts the ledger of energies and the reference positions (displacements) afresh; rows of curves.csv begin here.
   virtual void mark_start_of_loading() = 0;
   virtual double time() const = 0;
   virtual double time_step() const = 0;

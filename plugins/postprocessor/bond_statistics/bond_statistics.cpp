@@ -12,17 +12,12 @@
 namespace breccia {
 namespace {
 
-struct BondForce {
-  double normal, shear;  ///< tension positive; size [N]
-};
-
-BondForce force_of(const SimulationView& view, std::size_t pair) {
+/// Tension positive [N].
+double normal_force(const SimulationView& view, std::size_t pair) {
   const auto& x = view.particles.position;
   const Vec3 n = (x[view.pairs.j[pair]] - x[view.pairs.i[pair]]).normalized();
   const PairForce& f = view.pairs.force[pair];
-  const Vec3 force(f.fx, f.fy, f.fz);
-  const double normal = force.dot(n);  // on i, toward j: tension
-  return {normal, (force - normal * n).norm()};
+  return Vec3(f.fx, f.fy, f.fz).dot(n);  // on i, toward j
 }
 
 /// Of the sizes of the normal forces of intact bonds.
@@ -34,7 +29,7 @@ struct Statistics {
     std::vector<double> size;
     for (std::size_t k = 0; k < view.pairs.size(); ++k) {
       if (view.pairs.state[k] != BondState::intact) continue;
-      const double normal = force_of(view, k).normal;
+      const double normal = normal_force(view, k);
       tension += normal > 0;
       compression += normal < 0;
       size.push_back(std::abs(normal));
@@ -117,6 +112,10 @@ class BondStatistics final : public Postprocessor {
 
   explicit BondStatistics(const Config& config) : config_(config) {}
 
+  std::vector<std::string> needed_curves() const override {
+    return config_.peak_of ? std::vector<std::string>{*config_.peak_of} : std::vector<std::string>{};
+  }
+
   void begin(const SimulationView&, Recorder& recorder, Host&) override {
     for (std::size_t k = 0; k < std::size(quantities); ++k)
       column_[k] = recorder.add({quantities[k].name, quantities[k].unit, quantities[k].doc});
@@ -129,18 +128,12 @@ class BondStatistics final : public Postprocessor {
 
   void fields(const SimulationView& view, std::vector<Field>& fields) override {
     const BondsView& bonds = view.bonds;
-    Field normal{Field::On::bonds, "normal_force", "N", 1, {}};
-    Field shear{Field::On::bonds, "shear_force", "N", 1, {}};
     Field length{Field::On::bonds, "length_change", "m", 1, {}};
     for (std::size_t b = 0; b < bonds.size(); ++b) {
-      const bool parted = bonds.pair[b] == BondsView::no_pair;
-      const BondForce f = parted ? BondForce{0, 0} : force_of(view, bonds.pair[b]);
-      normal.values.push_back(f.normal);
-      shear.values.push_back(f.shear);
       const auto& x = view.particles.position;
       length.values.push_back((x[bonds.j[b]] - x[bonds.i[b]]).norm() - bonds.initial_distance[b]);
     }
-    for (Field* f : {&normal, &shear, &length}) fields.push_back(std::move(*f));
+    fields.push_back(std::move(length));
   }
 
   void finish(const SimulationView& view, const Curves& curves, Summary& summary) override {

@@ -65,6 +65,8 @@ class ElasticConstants final : public Postprocessor {
 
   explicit ElasticConstants(const Config& config) : config_(config) {}
 
+  std::vector<std::string> needed_curves() const override { return {config_.stress, config_.strain, config_.lateral}; }
+
   void finish(const SimulationView&, const Curves& curves, Summary& summary) override {
     const StressStrainCurve c{load(curves, config_.stress), load(curves, config_.strain),
                               load(curves, config_.lateral)};
