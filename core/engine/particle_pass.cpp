@@ -90,9 +90,15 @@ PassSums integrate(State& s, const Damping& damping, bool any_applied, int threa
 }
 
 double kinetic_energy(const State& s) {
+  const Particles& p = s.particles;
   double sum = 0;
-  for (std::size_t a = 0; a < s.particles.size(); ++a)
-    sum += s.particles.mass[a] * s.particles.velocity[a].squaredNorm() + s.particles.inertia[a] * s.particles.angular_velocity[a].squaredNorm();
+  for (std::size_t a = 0; a < p.size(); ++a) {
+    sum += p.mass[a] * p.velocity[a].squaredNorm() + p.inertia[a] * p.angular_velocity[a].squaredNorm();
+    for (int k = 0; k < 3; ++k) {
+      if (!(p.held[a] >> k & 1)) sum += s.time_step * p.velocity[a][k] * p.force[a][k];
+      if (!(p.held[a] >> (k + 3) & 1)) sum += s.time_step * p.angular_velocity[a][k] * p.torque[a][k];
+    }
+  }
   return 0.5 * sum;
 }
 

@@ -27,6 +27,9 @@ void sum_forces(State& state, const Incidence& incidence, const std::vector<Vec3
 /// Held components keep their velocity; the work that this takes counts as boundary work.
 PassSums integrate(State& state, const Damping& damping, bool any_applied, int threads);
 
-double kinetic_energy(const State& state);  ///< of the velocities at mid-step [J]
+/// At the time of the positions [J], as 1/2 m v(before) v(after) with the velocities half a step to either side: the form
+/// that leapfrog conserves exactly, together with the stored energy, in a linear system. Damping is left out of the
+/// second on purpose, since the ledger counts its work up to the middle of the step only.
+double kinetic_energy(const State& state);
 
 }  // namespace breccia

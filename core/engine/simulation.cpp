@@ -144,6 +144,7 @@ double Simulation::elastic_energy() {
 void Simulation::mark_start_of_loading() {
   fold_chunk_sums();
   state_.energy = {};
+  state_.energy.boundary_work = wall_work_ahead(state_);
   state_.energy.initial = elastic_energy() + kinetic_energy(state_);
   state_.particles.reference_position = state_.particles.position;
   for (Wall& w : state_.walls) w.displacement.setZero();
@@ -215,7 +216,7 @@ SimulationView Simulation::view() {
   v.wall_contacts = wall_contacts_;
   v.specimen = s.specimen;
   v.energy.initial = s.energy.initial;
-  v.energy.boundary_work = s.energy.boundary_work;
+  v.energy.boundary_work = s.energy.boundary_work - wall_work_ahead(s);
   v.energy.elastic = elastic_energy();
   v.energy.kinetic = kinetic_energy(s);
   v.energy.friction = s.energy.friction;

@@ -58,6 +58,12 @@ void wall_forces(State& s, std::vector<Vec3>& force, std::vector<Vec3>& torque) 
   }
 }
 
+double wall_work_ahead(const State& s) {
+  double sum = 0;
+  for (const Wall& w : s.walls) sum -= w.force.dot(w.velocity) * 0.5 * s.time_step;
+  return sum;
+}
+
 void move_walls(State& s) {
   double fastest = 0;
   for (Wall& w : s.walls) {

@@ -13,6 +13,9 @@ void rebuild_wall_touches(State& state, double reach);
 /// force), and the particles' force on each wall. Adds this step's work of the walls and their friction to the ledger.
 void wall_forces(State& state, std::vector<Vec3>& force, std::vector<Vec3>& torque);
 
+/// Work of the walls in the half of the present step that lies ahead of the positions; `wall_forces` has counted it [J].
+double wall_work_ahead(const State& state);
+
 void move_walls(State& state);
 
 double wall_energy(const State& state);  ///< stored in penalty and friction springs [J]

@@ -19,7 +19,7 @@ Moved crush(const Mat3& turn, const Vec3& shift, bool reverse) {
   const std::size_t n = p.position.size();
   std::vector<Vec3> velocity(n);
   for (std::size_t k = 0; k < n; ++k) {
-    velocity[k] = turn * Vec3(0.1, 0.2, p.position[k].z() > 6e-3 ? -3.0 : 3.0);
+    velocity[k] = turn * Vec3(0.1, 0.2, p.position[k].z() > 6e-3 ? -30.0 : 30.0);
     p.position[k] = turn * p.position[k] + shift;
   }
   if (reverse) {

@@ -8,7 +8,7 @@ namespace breccia::testing {
 namespace {
 
 class Lattice : public ::testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Models, Lattice, ::testing::Values("model_1", "model_2"), [](const auto& info) { return std::string(info.param); });
+INSTANTIATE_TEST_SUITE_P(Models, Lattice, ::testing::Values("model_1", "model_2"), [](const auto& model) { return std::string(model.param); });
 
 TEST_P(Lattice, UniaxialModulusIsTheBondModulus) {
   const double r = 1e-3;

@@ -28,8 +28,9 @@ TEST(Neighbours, NoContactIsMissedBetweenRebuilds) {
     ASSERT_EQ(listed.size(), s.pairs.size());
     for (Index i = 0; i < s.particles.size(); ++i)
       for (Index j = i + 1; j < s.particles.size(); ++j)
-        if ((s.particles.position[i] - s.particles.position[j]).norm() < s.particles.radius[i] + s.particles.radius[j])
+        if ((s.particles.position[i] - s.particles.position[j]).norm() < s.particles.radius[i] + s.particles.radius[j]) {
           ASSERT_TRUE(listed.contains({i, j})) << i << " " << j << " after " << k;
+        }
   }
   EXPECT_GT(b->rebuilds(), first) << "the test must rebuild";
 }
