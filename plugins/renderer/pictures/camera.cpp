@@ -63,6 +63,12 @@ void Viewpoint::include(const Vec3& x, double radius) {
   high_ = high_.cwiseMax(seen + r);
 }
 
+bool Viewpoint::frames(const Vec3& x, double radius) const {
+  const double tiny = 1e-9 * (high_ - low_).norm();  // the outermost spheres make the frame
+  const double across = right_.dot(x), along = up_.dot(x), reach = radius - tiny;
+  return across - reach >= low_.x() && across + reach <= high_.x() && along - reach >= low_.y() && along + reach <= high_.y();
+}
+
 int Viewpoint::width_for(int height) const {
   const double aspect = (high_.x() - low_.x()) / (high_.y() - low_.y());
   return int(

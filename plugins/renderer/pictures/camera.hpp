@@ -30,6 +30,9 @@ class Viewpoint {
   /// Fills in scale bar and directions. After `aim`.
   void annotate(Overlay& overlay) const;
 
+  /// Whether a sphere lies within the frame. One that has flown out of it would end up over the writing.
+  bool frames(const Vec3& x, double radius) const;
+
   Vec3 toward_reader() const { return toward_; }
   int dimension() const { return dimension_; }
 

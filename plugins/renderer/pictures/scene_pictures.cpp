@@ -91,6 +91,20 @@ void finish(Canvas& canvas, Viewpoint& view, vtkSmartPointer<Overlay> overlay, c
   canvas.save(file);
 }
 
+/// Keeps the spheres for which `shown(centre, radius)` holds, with their values.
+template <class F> void keep(Spheres& spheres, std::vector<double>& value, F&& shown) {
+  std::size_t kept = 0;
+  for (std::size_t p = 0; p < value.size(); ++p) {
+    if (!shown(spheres.position[p], spheres.radius[p])) continue;
+    spheres.position[kept] = spheres.position[p];
+    spheres.radius[kept] = spheres.radius[p];
+    value[kept++] = value[p];
+  }
+  spheres.position.resize(kept);
+  spheres.radius.resize(kept);
+  value.resize(kept);
+}
+
 /// Takes away what stands in the quarter or half of the specimen that faces the reader.
 void cut_open(Spheres& spheres, std::vector<double>& value, Cut cut, const Viewpoint& view, const FrameFacts& facts) {
   Vec3 centre = Vec3::Zero();
@@ -105,18 +119,11 @@ void cut_open(Spheres& spheres, std::vector<double>& value, Cut cut, const Viewp
   front.z() = 0;
   front.normalize();
   const Vec3 side(-front.y(), front.x(), 0);
-  std::size_t kept = 0;
-  for (std::size_t p = 0; p < value.size(); ++p) {
-    const Vec3 x = spheres.position[p] - centre;
+  keep(spheres, value, [&](const Vec3& at, double) {
+    const Vec3 x = at - centre;
     const double f = x.dot(front), s = x.dot(side);
-    if (cut == Cut::half ? f > 0 : f > std::abs(s)) continue;
-    spheres.position[kept] = spheres.position[p];
-    spheres.radius[kept] = spheres.radius[p];
-    value[kept++] = value[p];
-  }
-  spheres.position.resize(kept);
-  spheres.radius.resize(kept);
-  value.resize(kept);
+    return !(cut == Cut::half ? f > 0 : f > std::abs(s));
+  });
 }
 
 }  // namespace
@@ -136,6 +143,7 @@ void draw_specimen(vtkPolyData* particles, const SpecimenPicture& picture, const
 
   const Scale scale = scale_of(values, picture);
   Viewpoint view(spheres, facts);
+  keep(spheres, values.value, [&](const Vec3& x, double radius) { return view.frames(x, radius); });
   if (picture.cut != Cut::none) cut_open(spheres, values.value, picture.cut, view, facts);
   Canvas canvas(view.width_for(sheet.size), sheet.size, sheet.background);
   auto overlay = vtkSmartPointer<Overlay>::New();
