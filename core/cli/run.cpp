@@ -38,11 +38,12 @@ int run(const RunArguments& a) {
   for (const std::string& w : registry.warnings()) console.warn(w);
   const LoadedWorkflow loaded = load_workflow(a.file, a.overrides, registry);
   const std::filesystem::path folder = a.output.empty() ? std::filesystem::path("results") / loaded.workflow.name : a.output;
-  make_results_folder(folder, a.overwrite);
+  ResultsFolder results(folder, a.overwrite);
   console.log_to(folder / "run.log");
   console.info(fmt::format("breccia {}: workflow `{}` into {}", BRECCIA_VERSION, loaded.workflow.name, folder.string()));
   try {
     const RunOutcome outcome = run_workflow(loaded, registry, {folder, default_cache_folder()}, console);
+    results.keep();
     console.clear_bar();
     print_comparison(outcome.summary);
     console.info(fmt::format("{} in {:.1f} s; results in {}", outcome.interrupted ? "stopped on request" : "finished",

@@ -6,8 +6,23 @@
 
 namespace breccia {
 
-/// Makes the folder. What an earlier run left there is never touched unless `overwrite`: then files that a run makes are
-/// removed first (the folder must look like a result folder: it holds resolved.yaml or run.log). UserError otherwise.
-void make_results_folder(const std::filesystem::path& folder, bool overwrite);
+/// An empty folder for a run. What an earlier run left there is never touched unless `overwrite`; then it is set aside
+/// and goes only once the new run has ended (`keep`). If that fails instead, the earlier results come back and what
+/// there is of the new ones is left in `<folder>.failed`; without earlier results, a folder in which no curves were
+/// begun is removed. UserError when the folder cannot be used.
+class ResultsFolder {
+ public:
+  ResultsFolder(std::filesystem::path folder, bool overwrite);
+  ResultsFolder(const ResultsFolder&) = delete;
+  ResultsFolder& operator=(const ResultsFolder&) = delete;
+  ~ResultsFolder();
+
+  const std::filesystem::path& path() const { return folder_; }
+  void keep();
+
+ private:
+  std::filesystem::path folder_, previous_;  ///< previous_ is empty when there were no results before
+  bool kept_ = false;
+};
 
 }  // namespace breccia

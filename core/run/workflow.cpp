@@ -4,6 +4,12 @@
 #include <fstream>
 #include <sstream>
 
+#include "breccia/contact_law.hpp"
+#include "breccia/output.hpp"
+#include "breccia/packing.hpp"
+#include "breccia/postprocessor.hpp"
+#include "breccia/protocol.hpp"
+#include "breccia/renderer.hpp"
 #include "config/reader.hpp"
 #include "run/plugin_section.hpp"
 
@@ -91,6 +97,17 @@ std::string read_text(const fs::path& file) {
   return text.str();
 }
 
+/// What only making the plugins can tell.
+void try_plugins(const Workflow& w, const Registry& registry) {
+  for (const fs::path& input : registry.create<Packing>(w.packing)->inputs())
+    if (!fs::is_regular_file(input)) throw UserError("packing " + w.packing.type + ": cannot read " + input.string() + ": no such file");
+  registry.create<ContactLaw>(w.contact_law);
+  registry.create<Protocol>(w.protocol);
+  for (const PluginChoice& c : w.postprocessors) registry.create<Postprocessor>(c);
+  for (const PluginChoice& c : w.outputs) registry.create<Output>(c);
+  for (const PluginChoice& c : w.renderers) registry.create<Renderer>(c);
+}
+
 }  // namespace
 
 LoadedWorkflow load_workflow(const fs::path& file, const std::vector<std::string>& overrides, Registry& registry) {
@@ -102,6 +119,7 @@ LoadedWorkflow load_workflow(const fs::path& file, const std::vector<std::string
   Schema<Workflow> schema;
   Workflow::describe(schema);
   loaded.workflow = schema.load(loaded.config);
+  try_plugins(loaded.workflow, registry);
   return loaded;
 }
 

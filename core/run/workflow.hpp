@@ -64,8 +64,8 @@ struct LoadedWorkflow {
 
 const ParamSpec& workflow_schema();
 
-/// Reads and checks a workflow file; the plugins it names under `plugins:` are added to the registry first.
-/// ConfigError with every problem.
+/// Reads and checks a workflow file; the plugins it names under `plugins:` are added to the registry first. Makes each
+/// of its plugins once, and looks for the files that its packing needs. ConfigError with every problem.
 LoadedWorkflow load_workflow(const std::filesystem::path& file, const std::vector<std::string>& overrides, Registry& registry);
 
 }  // namespace breccia

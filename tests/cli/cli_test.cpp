@@ -109,6 +109,12 @@ TEST_F(Cli, ResultsAreNeverSilentlyOverwritten) {
   EXPECT_NE(again.text.find("--overwrite"), std::string::npos) << again.text;
   EXPECT_EQ(content(folder_ / "out/summary.json"), before);
   EXPECT_EQ(call("run small.yaml --output out --overwrite").code, 0);
+  // A run that fails leaves the earlier results where they were.
+  const std::string kept = content(folder_ / "out/summary.json");
+  write("bad.csv", "x,y,z,radius\n0,0,0,-1\n");
+  EXPECT_EQ(call("run small.yaml --output out --overwrite --set packing.file=bad.csv").code, 2);
+  EXPECT_EQ(content(folder_ / "out/summary.json"), kept);
+  EXPECT_FALSE(fs::exists(folder_ / "out.previous"));
   fs::create_directories(folder_ / "mine");
   write("mine/thesis.txt", "dear");
   EXPECT_EQ(call("run small.yaml --output mine --overwrite").code, 2) << "not a result folder";
@@ -144,6 +150,8 @@ TEST_F(Cli, WrongUnitWrongPluginMissingFile) {
   EXPECT_NE(r.text.find("nan.csv"), std::string::npos) << r.text;
   write("empty.csv", "x,y,z,radius\n");
   EXPECT_EQ(call("run small.yaml --output out2 --set packing.file=empty.csv").code, 2);
+  EXPECT_FALSE(fs::exists(folder_ / "out2")) << "bad input must leave nothing behind";
+  EXPECT_EQ(call("validate small.yaml --set packing.file=missing.csv").code, 2) << "what run refuses, validate refuses";
 }
 
 TEST_F(Cli, OverridesReachTheRun) {
