@@ -13,13 +13,13 @@
 namespace breccia::cli {
 namespace {
 
-/// "measured | reference | difference" for every reference value whose key the summary has.
+/// "measured | paper | difference" for every reference value whose key the summary has.
 void print_comparison(const Json& summary) {
   const Json& reference = summary["reference"];
   bool any = false;
   for (const auto& [key, value] : reference.items()) {
     if (!value.is_number() || !summary.contains(key)) continue;
-    if (!any) fmt::print("\n{:<24} | {:>12} | {:>12} | {:>10}\n{:-<68}\n", "", "measured", "reference", "difference", "");
+    if (!any) fmt::print("\n{:<24} | {:>12} | {:>12} | {:>10}\n{:-<68}\n", "", "measured", "paper", "difference", "");
     any = true;
     const double r = value.get<double>();
     if (!summary[key].is_number()) { fmt::print("{:<24} | {:>12} | {:>12.6g} |\n", key, "none", r); continue; }
