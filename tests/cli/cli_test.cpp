@@ -166,7 +166,7 @@ TEST_F(Cli, CtrlCStopsWithFilesComplete) {
   const pid_t child = fork();
   if (child == 0) {
     if (!std::freopen("/dev/null", "w", stderr) || chdir(folder_.c_str()) != 0) _exit(99);
-    execl(program.c_str(), program.c_str(), "run", "small.yaml", "--output", "out", "--set", "protocol.platen_velocity=0.001 m/s", nullptr);
+    execl(program.c_str(), program.c_str(), "run", "small.yaml", "--output", "out", "--set", "protocol.platen_velocity=0.00005 m/s", nullptr);
     _exit(98);
   }
   for (int k = 0; k < 600 && !fs::exists(folder_ / "out/curves.csv.partial"); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(50));
