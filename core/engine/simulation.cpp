@@ -48,8 +48,9 @@ void Simulation::prepare() {
 
 void Simulation::rebuild() {
   fold_chunk_sums();
-  const std::vector<Index> changed = rebuild_pairs(state_, law_, skin_);
+  std::vector<Index> changed = rebuild_pairs(state_, law_, skin_);
   rebuild_wall_touches(state_, skin_);
+  for (const WallTouch& t : state_.wall_touches) changed.push_back(t.particle);
   incidence_ = make_incidence(state_);
   const std::size_t chunks = (state_.pairs.size() + PairBatch::chunk - 1) / PairBatch::chunk;
   chunk_friction_.assign(chunks, 0);
@@ -64,7 +65,7 @@ void Simulation::rebuild() {
 }
 
 void Simulation::update_time_step(const std::vector<Index>& changed) {
-  // Only new neighbours can ask for a shorter step, and it only shrinks: a longer one half-way is not worth the jump.
+  // Only new neighbours and walls can ask for a shorter step, and it only shrinks: a longer one half-way is not worth the jump.
   critical_ = std::min(critical_, critical_time_step(state_, law_, changed));
   state_.time_step = settings_.safety * critical_;
 }

@@ -74,6 +74,23 @@ TEST(TimeStep, TwoEqualSpheresOscillateAtTheFrequencyTheBoundGives) {
   EXPECT_NEAR(b->critical_step(), 2 / std::sqrt(2 * k / m), 1e-6 * b->critical_step());
 }
 
+TEST(TimeStep, AWallThatABodyReachesLaterCounts) {
+  Bench b = make_bench(simple_cubic(2, 1, 1, 1e-3), elastic_brittle(), 1e-9);
+  b->add_wall({"stiff", Vec3(0, 0, -1e-3), Vec3::UnitZ(), 1e10, 0, 0});
+  b->prepare();
+  const double far = b->time_step();
+  for (Index k = 0; k < 2; ++k) {
+    b->hold(k, dof::translation, Vec3(0, 0, -20), Vec3::Zero());
+    b->release(k, dof::all);
+  }
+  b->mark_start_of_loading();
+  const double start = b->view().energy.initial;
+  b.steps(int(1.5e-3 / (20 * far)));
+  b->forces();
+  EXPECT_LT(b->time_step(), 2 / std::sqrt(1e10 / b->state().particles.mass[0]));
+  EXPECT_LT(b->view().energy.kinetic, 1.05 * start) << "bounced, not thrown";
+}
+
 TEST(TimeStep, StableAtTheBoundUnstableFarAboveIt) {
   for (const double safety : {1.0, 2.2}) {
     EngineSettings settings;
