@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/summary_table.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
 #include "output/atomic_file.hpp"
+#include "output/curve_table.hpp"
 
 namespace breccia {
 
@@ -12,6 +18,30 @@ void SummaryTable::set(const std::string& key, Json value, const std::string& ow
   json_[key] = std::move(value);
 }
 
-void SummaryTable::write(const std::filesystem::path& path) const { write_file(path, json_.dump(2) + "\n"); }
+void SummaryTable::add(Table table, const std::string& owner) {
+  BRECCIA_ASSERT(table.columns.size() == table.values.size());
+  for (const auto& column : table.values) BRECCIA_ASSERT(column.size() == table.values[0].size());
+  if (std::any_of(tables_.begin(), tables_.end(), [&](const Table& t) { return t.name == table.name; }))
+    throw UserError("`" + owner + "` writes the table " + table.name + ", which is there already: keep one of the two "
+                    "in the workflow");
+  tables_.push_back(std::move(table));
+}
+
+void SummaryTable::write(const std::filesystem::path& folder) const {
+  for (const Table& table : tables_) {
+    std::error_code error;
+    std::filesystem::create_directories(folder / "tables", error);
+    if (error) throw UserError("cannot make the folder " + (folder / "tables").string() + ": " + error.message());
+    std::string text;
+    for (const Column& c : table.columns) text += (text.empty() ? "" : ",") + header_name(c);
+    for (std::size_t row = 0; row < (table.values.empty() ? 0 : table.values[0].size()); ++row) {
+      text += '\n';
+      for (std::size_t c = 0; c < table.values.size(); ++c)
+        text += (c ? "," : "") + (std::isfinite(table.values[c][row]) ? fmt::format("{}", table.values[c][row]) : "");
+    }
+    write_file(folder / "tables" / (table.name + ".csv"), text + "\n");
+  }
+  write_file(folder / "summary.json", json_.dump(2) + "\n");
+}
 
 }  // namespace breccia

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// summary.json: headline numbers, what each plugin adds under its own name, and the reference values.
+/// summary.json: headline numbers, what each plugin adds under its own name, and the reference values; and the tables
+/// that plugins add beside it.
 #pragma once
 
 #include <filesystem>
 #include <map>
+#include <vector>
 
 #include "breccia/services.hpp"
 
@@ -17,6 +19,7 @@ class SummaryTable {
     Section(SummaryTable& table, std::string owner) : table_(table), owner_(std::move(owner)) {}
     void headline(const std::string& key, Json value) override { table_.set(key, std::move(value), owner_); }
     void own(const std::string& key, Json value) override { table_.json_[owner_][key] = std::move(value); }
+    void table(Table table) override { table_.add(std::move(table), owner_); }
 
    private:
     SummaryTable& table_;
@@ -25,12 +28,15 @@ class SummaryTable {
 
   /// UserError when two owners set one key: the workflow then lists two plugins for the same thing.
   void set(const std::string& key, Json value, const std::string& owner = "breccia");
+  void add(Table table, const std::string& owner);   ///< the same for two tables of one name
   const Json& json() const { return json_; }
-  void write(const std::filesystem::path& path) const;
+  /// summary.json, and tables/<name>.csv for each table, in this folder.
+  void write(const std::filesystem::path& folder) const;
 
  private:
   Json json_ = Json::object();
   std::map<std::string, std::string> owner_;
+  std::vector<Table> tables_;
 };
 
 }  // namespace breccia

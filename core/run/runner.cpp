@@ -194,7 +194,7 @@ class Run {
       SummaryTable::Section(summary_, "packing").own(line.name, entry);
     }
     summary_.set("reference", w_.reference);
-    summary_.write(options_.folder / "summary.json");
+    summary_.write(options_.folder);
   }
 
   /// Of the container when the packing had one, else of the specimen as measured.

@@ -155,7 +155,12 @@ class FakeSummary final : public Summary {
   void own(const std::string& key, Json value) override {
     if (!owned.emplace(key, std::move(value)).second) throw std::logic_error("key given twice: " + key);
   }
+  void table(Table table) override {
+    const std::string name = table.name;
+    if (!tables.emplace(name, std::move(table)).second) throw std::logic_error("table given twice: " + name);
+  }
   std::map<std::string, Json> headlines, owned;
+  std::map<std::string, Table> tables;
 };
 
 /// A post-processor from its library, configured as the core would: defaults filled in.

@@ -12,11 +12,25 @@ struct RenderRequest {
   std::filesystem::path directory;  ///< where the pictures go
 };
 
+/// Finished runs to be shown in one picture.
+struct ComparisonRequest {
+  struct Run {
+    std::filesystem::path folder;
+    std::string label;
+  };
+  std::vector<Run> runs;            ///< in the order of the legend
+  std::filesystem::path directory;  ///< where the pictures go
+};
+
 class BRECCIA_API Renderer : public Plugin {
  public:
   static constexpr const char* kind = "renderer";
   /// The files it made. `Unavailable` when this machine cannot draw; UserError when the source is not usable.
   virtual std::vector<std::filesystem::path> render(const RenderRequest& request, Host& host) = 0;
+  /// The same for several runs together.
+  virtual std::vector<std::filesystem::path> compare(const ComparisonRequest&, Host&) {
+    throw Unavailable("this renderer draws no comparisons");
+  }
 };
 
 }  // namespace breccia

@@ -51,11 +51,19 @@ class Curves {
   ~Curves() = default;
 };
 
+/// Numbers that are neither a curve nor a single result: a histogram, say. Written as tables/<name>.csv.
+struct Table {
+  std::string name;                          ///< lower case with underscores; each once in a run
+  std::vector<Column> columns;
+  std::vector<std::vector<double>> values;   ///< one per column, equally long; NaN is written as an empty cell
+};
+
 /// summary.json. Keys carry their SI unit ("peak_stress_Pa").
 class Summary {
  public:
   virtual void headline(const std::string& key, Json value) = 0;  ///< at the top level; each key once
   virtual void own(const std::string& key, Json value) = 0;       ///< under the plugin's own name
+  virtual void table(Table table) = 0;                            ///< a file of its own beside the summary
  protected:
   ~Summary() = default;
 };
