@@ -51,6 +51,20 @@ int dispatch(int argc, char** argv) {
   verb->add_option("--set", render.overrides, "replace a setting of the renderer: path=value")->expected(1)->take_all();
   verb->callback([&] { code = cli::render(render); });
 
+  cli::CompareArguments compare;
+  verb = app.add_subcommand("compare", "Put finished runs beside each other: tables and charts");
+  verb->footer("Makes comparison.csv (every number of every run), comparison.md (a table to read, with each run's\n"
+               "reference values and the distance in per cent) and charts of the runs' curves over each other.\n"
+               "Example: breccia compare results/model_1 results/model_2 --labels \"model 1,model 2\" -o results/models");
+  verb->add_option("DIR", compare.folders, "result folders of finished runs")->required();
+  verb->add_option("-o,--output", compare.output, "folder of the comparison")->capture_default_str();
+  verb->add_option("--labels", compare.labels, "names of the runs, in their order: a,b or once for each; default: the folders' names")
+      ->expected(1)->take_all()->delimiter(',');
+  verb->add_flag("--overwrite", compare.overwrite, "the folder may hold files: those of the same names are replaced, no other is touched");
+  verb->add_option("--renderer", compare.renderer, "renderer plugin of the charts; default: pictures, if installed");
+  verb->add_option("--set", compare.overrides, "replace a setting of the renderer: path=value")->expected(1)->take_all();
+  verb->callback([&] { code = cli::compare(compare); });
+
   verb = app.add_subcommand("schema", "Print the JSON Schema of workflows");
   verb->callback([&] { code = cli::schema(); });
 

@@ -23,11 +23,20 @@ struct RenderArguments {
   std::vector<std::string> overrides;
 };
 
+struct CompareArguments {
+  std::vector<std::filesystem::path> folders;
+  std::filesystem::path output = "results/comparison";
+  std::vector<std::string> labels, overrides;
+  std::string renderer;   ///< empty: `pictures`, if there is one
+  bool overwrite = false;
+};
+
 int run(const RunArguments& arguments);
 int validate(const std::vector<std::filesystem::path>& files, const std::vector<std::string>& overrides);
 int list(const std::string& kind);
 int describe(const std::string& plugin, const std::string& format);
 int render(const RenderArguments& arguments);
+int compare(const CompareArguments& arguments);
 int schema();
 
 }  // namespace breccia::cli

@@ -17,28 +17,86 @@ class SchemaWriter {
  public:
   explicit SchemaWriter(const PluginDirectory& plugins) : plugins_(plugins) {}
 
-  Json group(const ParamSpec& spec) const {
-    Json schema = {{"type", "object"}};
-    add_members(schema, spec);
+  Json root(const ParamSpec& spec) const {
+    const auto is_base = [](const ParamSpec& member) { return member.name == "base"; };
+    if (std::none_of(spec.members.begin(), spec.members.end(), is_base)) return group(spec, Extent::whole);
+    Json schema = group(spec, Extent::part);
+    schema["if"] = {{"not", {{"required", Json::array({"base"})}}}};
+    schema["then"] = completeness(spec);
     return schema;
   }
 
  private:
-  void add_members(Json& schema, const ParamSpec& spec, const std::string& plugin_name = {}) const {
-    Json properties = Json::object(), required = Json::array();
-    if (!plugin_name.empty()) {
-      properties["type"] = {{"const", plugin_name}};
-      required.push_back("type");
-    }
+  /// Whether what is required must be there, or may be in a base.
+  enum class Extent { whole, part };
+
+  Json group(const ParamSpec& spec, Extent extent) const {
+    Json schema = {{"type", "object"}};
+    add_members(schema, spec, extent);
+    return schema;
+  }
+
+  void add_members(Json& schema, const ParamSpec& spec, Extent extent, const std::string& plugin_name = {}) const {
+    Json properties = Json::object();
+    if (!plugin_name.empty()) properties["type"] = {{"const", plugin_name}};
+    for (const ParamSpec& member : spec.members) properties[member.name] = value(member, extent);
+    schema["properties"] = properties;
+    schema["additionalProperties"] = false;
+    Json all = exclusions(spec);
+    if (extent == Extent::whole) add_required(schema, all, spec);
+    if (!all.empty()) schema["allOf"] = all;
+  }
+
+  /// What a part lacks of a whole: only which keys must be there, section by section.
+  Json completeness(const ParamSpec& spec) const {
+    Json schema = Json::object(), all = Json::array(), sections = Json::object();
+    add_required(schema, all, spec);
     for (const ParamSpec& member : spec.members) {
-      properties[member.name] = value(member);
+      Json section;
+      if (member.type == ParamType::group) section = completeness(member);
+      if (member.type == ParamType::plugin) section = plugin_completeness(member);
+      if (!section.empty()) sections[member.name] = section;
+    }
+    if (!sections.empty()) schema["properties"] = sections;
+    if (!all.empty()) schema["allOf"] = all;
+    return schema;
+  }
+
+  Json plugin_completeness(const ParamSpec& spec) const {
+    Json sections = Json::array();
+    for (const std::string& name : plugins_.names(spec.plugin_kind)) {
+      try {
+        const Json section = completeness(plugins_.documentation(spec.plugin_kind, name).root);
+        if (!section.empty()) sections.push_back({{"if", has_type(name)}, {"then", section}});
+      } catch (const UserError&) {
+        // As in `plugin`.
+      }
+    }
+    Json schema = {{"required", Json::array({"type"})}};
+    if (!sections.empty()) schema["allOf"] = sections;
+    return schema;
+  }
+
+  static Json has_type(const std::string& name) {
+    return {{"properties", {{"type", {{"const", name}}}}}, {"required", Json::array({"type"})}};
+  }
+
+  /// The keys that must be there, and to `all` one of each set of alternatives without a default.
+  static void add_required(Json& schema, Json& all, const ParamSpec& spec) {
+    Json required = Json::array();
+    for (const ParamSpec& member : spec.members)
       if (member.required && member.fallback.is_null() && !is_alternative(spec, member.name))
         required.push_back(member.name);
-    }
-    schema["properties"] = properties;
     if (!required.empty()) schema["required"] = required;
-    schema["additionalProperties"] = false;
-    add_alternatives(schema, spec);
+    for (const auto& names : spec.exactly_one_of) {
+      const bool has_default = std::any_of(spec.members.begin(), spec.members.end(), [&](const ParamSpec& m) {
+        return !m.fallback.is_null() && std::find(names.begin(), names.end(), m.name) != names.end();
+      });
+      if (has_default) continue;
+      Json any = Json::array();
+      for (const std::string& name : names) any.push_back({{"required", Json::array({name})}});
+      all.push_back({{"anyOf", any}});
+    }
   }
 
   static bool is_alternative(const ParamSpec& spec, const std::string& name) {
@@ -49,29 +107,21 @@ class SchemaWriter {
            std::any_of(spec.at_most_one_of.begin(), spec.at_most_one_of.end(), names_it);
   }
 
-  static void add_alternatives(Json& schema, const ParamSpec& spec) {
+  /// No two of a set of alternatives.
+  static Json exclusions(const ParamSpec& spec) {
     Json all = Json::array();
     const auto forbid_pairs = [&](const std::vector<std::string>& names) {
       for (std::size_t i = 0; i < names.size(); ++i)
         for (std::size_t j = i + 1; j < names.size(); ++j)
           all.push_back({{"not", {{"required", Json::array({names[i], names[j]})}}}});
     };
-    for (const auto& names : spec.exactly_one_of) {
-      forbid_pairs(names);
-      const bool has_default = std::any_of(spec.members.begin(), spec.members.end(), [&](const ParamSpec& m) {
-        return !m.fallback.is_null() && std::find(names.begin(), names.end(), m.name) != names.end();
-      });
-      if (has_default) continue;
-      Json any = Json::array();
-      for (const std::string& name : names) any.push_back({{"required", Json::array({name})}});
-      all.push_back({{"anyOf", any}});
-    }
+    for (const auto& names : spec.exactly_one_of) forbid_pairs(names);
     for (const auto& names : spec.at_most_one_of) forbid_pairs(names);
-    if (!all.empty()) schema["allOf"] = all;
+    return all;
   }
 
-  Json value(const ParamSpec& spec) const {
-    Json schema = bare_value(spec);
+  Json value(const ParamSpec& spec, Extent extent) const {
+    Json schema = bare_value(spec, extent);
     std::string about = spec.doc;
     const auto add = [&](const std::string& text) { about += (about.empty() ? "" : "; ") + text; };
     if (spec.type == ParamType::quantity || spec.type == ParamType::quantity_list) add(dimension_name(spec.unit));
@@ -83,7 +133,7 @@ class SchemaWriter {
     return schema;
   }
 
-  Json bare_value(const ParamSpec& spec) const {
+  Json bare_value(const ParamSpec& spec, Extent extent) const {
     switch (spec.type) {
       case ParamType::quantity: return quantity(spec);
       case ParamType::quantity_list: return list(quantity(spec), spec);
@@ -92,10 +142,10 @@ class SchemaWriter {
       case ParamType::text: return {{"type", Json::array({"string", "number", "boolean"})}};
       case ParamType::path: return {{"type", Json::array({"string", "number"})}};
       case ParamType::choice: return choice(spec);
-      case ParamType::group: return group(spec);
-      case ParamType::group_list: return list(group(spec), spec);
-      case ParamType::plugin: return plugin(spec);
-      case ParamType::plugin_list: return list(plugin(spec), spec);
+      case ParamType::group: return group(spec, extent);
+      case ParamType::group_list: return list(group(spec, Extent::whole), spec);
+      case ParamType::plugin: return plugin(spec, extent);
+      case ParamType::plugin_list: return list(plugin(spec, Extent::whole), spec);
       case ParamType::free_form: return {{"type", "object"}};
     }
     return true;
@@ -139,27 +189,25 @@ class SchemaWriter {
     return {{"anyOf", any}};
   }
 
-  Json plugin(const ParamSpec& spec) const {
+  Json plugin(const ParamSpec& spec, Extent extent) const {
     Json known = Json::array(), sections = Json::array();
     for (const std::string& name : plugins_.names(spec.plugin_kind)) {
       Json one = {{"const", name}}, section = {{"type", "object"}};
       try {
         const Documentation& doc = plugins_.documentation(spec.plugin_kind, name);
         one["description"] = doc.summary;
-        add_members(section, doc.root, name);
+        add_members(section, doc.root, extent, name);
       } catch (const UserError&) {
         // It does not load on this machine; that is told where it is used.
       }
       known.push_back(one);
-      const Json is_it = {{"properties", {{"type", {{"const", name}}}}}, {"required", Json::array({"type"})}};
-      sections.push_back({{"if", is_it}, {"then", section}});
+      sections.push_back({{"if", has_type(name)}, {"then", section}});
     }
     // An empty anyOf or allOf is not valid: without plugins nothing is.
-    if (known.empty()) return false;
-    return {{"type", "object"},
-            {"required", Json::array({"type"})},
-            {"properties", {{"type", {{"anyOf", known}}}}},
-            {"allOf", sections}};
+    if (known.empty()) return {{"not", Json::object()}};
+    Json schema = {{"type", "object"}, {"properties", {{"type", {{"anyOf", known}}}}}, {"allOf", sections}};
+    if (extent == Extent::whole) schema["required"] = Json::array({"type"});
+    return schema;
   }
 
   const PluginDirectory& plugins_;
@@ -169,7 +217,7 @@ class SchemaWriter {
 
 Json json_schema(const ParamSpec& root, const PluginDirectory& plugins) {
   Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "Breccia workflow"}};
-  schema.update(SchemaWriter(plugins).group(root));
+  schema.update(SchemaWriter(plugins).root(root));
   return schema;
 }
 

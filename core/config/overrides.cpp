@@ -66,8 +66,7 @@ YamlPtr with_value(const YamlPtr& node, const std::vector<Step>& steps, std::siz
 
 }  // namespace
 
-YamlPtr apply_override(const YamlPtr& root, std::string_view text, int number, std::vector<Finding>& findings) {
-  const Place start{1, number, 1};
+YamlPtr apply_override(const YamlPtr& root, std::string_view text, Place start, std::vector<Finding>& findings) {
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos || equals == 0) {
     findings.push_back({start, "", "`" + std::string(text) + "` is not of the form `path=value`"});
@@ -82,7 +81,7 @@ YamlPtr apply_override(const YamlPtr& root, std::string_view text, int number, s
                               "`section.key` or `list.0.key`"});
       return root;
     }
-  const Place value_place{1, number, int(equals) + 2};
+  const Place value_place{start.source, start.line, start.column + int(equals) + 1};
   std::vector<Finding> in_value;
   const YamlPtr value = parse_yaml(text.substr(equals + 1), value_place, in_value);
   std::string path;

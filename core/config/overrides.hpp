@@ -9,7 +9,8 @@ namespace breccia {
 
 /// A copy of `root` with one value replaced or added; the value is read as YAML. List items count from 0, as
 /// `list.0.key` or `list[0].key`. Keys that no schema knows are left for the reader to refuse. What cannot be
-/// applied becomes a finding in source 1, line `number`, and `root` is returned as it was.
-YamlPtr apply_override(const YamlPtr& root, std::string_view override_text, int number, std::vector<Finding>& findings);
+/// applied becomes a finding, and `root` is returned as it was. `start` is the place of the override's first character.
+YamlPtr apply_override(const YamlPtr& root, std::string_view override_text, Place start,
+                       std::vector<Finding>& findings);
 
 }  // namespace breccia

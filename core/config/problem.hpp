@@ -20,7 +20,8 @@ struct Problem {
   std::string str() const;
 };
 
-/// Everything that is wrong with a workflow, in the order of the file; `what()` is one line for each.
+/// Everything that is wrong with a workflow, file by file (the workflow, its bases, the command line) and in the order
+/// of each; `what()` is one line for each.
 class ConfigError : public UserError {
  public:
   explicit ConfigError(std::vector<Problem> problems);

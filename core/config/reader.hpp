@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "config/base_chain.hpp"
 #include "config/plugin_directory.hpp"
 #include "config/problem.hpp"
 
@@ -13,12 +14,19 @@ namespace breccia {
 
 /// Reads a workflow against its schema. The result satisfies `root`: SI numbers, all defaults filled in (those of
 /// plugin sections too), members in the order of their declaration, absent optional members left out, paths absolute
-/// (relative ones start at the folder of `file_name`; those of `overrides` as well).
+/// (relative ones start at the folder of the file in which they are written; those of `overrides` and defaults at that
+/// of the workflow).
 ///
-/// `overrides` are of the form "path=value" and replace values of the file. The plugins' own rules run on the sections
-/// that are otherwise in order, `root_rules` when everything else is.
+/// The files of the chain are merged first (see `merge`); a base need not be complete, only the result is checked. It
+/// holds nothing of `base`. `overrides` are of the form "path=value" and replace values of what was merged. The
+/// plugins' own rules run on the sections that are otherwise in order, `root_rules` when everything else is.
 ///
 /// All problems are found in one pass and thrown as one ConfigError.
+Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins,
+                 const std::vector<std::string>& overrides = {},
+                 const std::function<Issues(const Json&)>& root_rules = {});
+
+/// The same for a text that stands, or might stand, in the file of that name.
 Json read_config(const std::string& yaml_text, const std::string& file_name, const ParamSpec& root,
                  const PluginDirectory& plugins, const std::vector<std::string>& overrides = {},
                  const std::function<Issues(const Json&)>& root_rules = {});

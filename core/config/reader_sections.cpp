@@ -67,9 +67,10 @@ Json SectionReader::read_members(const ParamSpec& group, const YamlNode& node, c
       continue;
     } else if (!member.fallback.is_null()) {
       // A default takes the same way as what the user writes: nested defaults are filled in, and nothing is unchecked.
-      all[member.name] = read(member, *yaml_of(member, member.fallback, plugins_, site.place), {path, site.place});
+      const Place place = place_of_absent(site);
+      all[member.name] = read(member, *yaml_of(member, member.fallback, plugins_, place), {path, place});
     } else if (member.required && !meant.contains(member.name)) {
-      report_missing(member, {path, site.place});
+      report_missing(member, {path, place_of_absent(site)});
     }
   }
   return all;
@@ -123,7 +124,7 @@ void SectionReader::check_alternatives(const ParamSpec& group, const YamlNode& n
     if (present.size() > 1) refuse_several(names, present);
     const auto answered = [&](const std::string& name) { return has_default(name) || meant.contains(name); };
     if (present.empty() && std::none_of(names.begin(), names.end(), answered))
-      report(site.place, site.path, "one of " + joined(names, " and ") + " must be given");
+      report(place_of_absent(site), site.path, "one of " + joined(names, " and ") + " must be given");
   }
   for (const auto& names : group.at_most_one_of)
     if (const auto present = given(names); present.size() > 1) refuse_several(names, present);
@@ -188,7 +189,7 @@ Json SectionReader::read_plugin_type(const ParamSpec& spec, const YamlNode& node
   const std::string names =
       known.empty() ? "no " + spec.plugin_kind + " plugin was found" : "known here: " + list_of(known);
   if (!type) {
-    report(site.place, path, "is missing; it names the " + spec.plugin_kind + "; " + names);
+    report(place_of_absent(site), path, "is missing; it names the " + spec.plugin_kind + "; " + names);
     return nullptr;
   }
   const YamlNode& value = *type->value;

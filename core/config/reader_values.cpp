@@ -141,7 +141,8 @@ Json SectionReader::read_path(const YamlNode& node, const Site& site) {
     report(node.place, site.path, "is empty; the name of a file is needed");
     return nullptr;
   }
-  return (folder_ / node.text).lexically_normal().string();
+  const InputFile& file = files_[in_base(node.place) ? std::size_t(node.place.source) : 0];
+  return (file.folder / node.text).lexically_normal().string();
 }
 
 }  // namespace breccia

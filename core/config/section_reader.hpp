@@ -2,10 +2,10 @@
 /// Walks a YAML tree along its schema. Internal to the configuration.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <set>
 
+#include "config/base_chain.hpp"
 #include "config/plugin_directory.hpp"
 #include "config/yaml_tree.hpp"
 
@@ -19,10 +19,10 @@ struct Site {
 
 class SectionReader {
  public:
-  /// `folder`: where relative paths start. `root` and `tree` serve to tell where a misplaced key belongs.
-  SectionReader(const PluginDirectory& plugins, std::filesystem::path folder, const ParamSpec& root,
+  /// `files` are the sources of the places. `root` and `tree` serve to tell where a misplaced key belongs.
+  SectionReader(const PluginDirectory& plugins, const std::vector<InputFile>& files, const ParamSpec& root,
                 const YamlNode& tree)
-      : plugins_(plugins), folder_(std::move(folder)), root_(root), tree_(tree) {}
+      : plugins_(plugins), files_(files), root_(root), tree_(tree) {}
 
   /// The value in the form that ParamType documents. Meaningful only when no finding was added.
   Json read(const ParamSpec& spec, const YamlNode& node, const Site& site);
@@ -57,8 +57,12 @@ class SectionReader {
     findings_.push_back({place, path, std::move(text)});
   }
 
+  bool in_base(Place place) const { return place.source > 0 && std::size_t(place.source) < files_.size(); }
+  /// The place to blame for what nobody wrote. A base need not be complete, so that is the workflow that builds on it.
+  Place place_of_absent(const Site& site) const { return in_base(site.place) ? files_[0].base : site.place; }
+
   const PluginDirectory& plugins_;
-  std::filesystem::path folder_;
+  const std::vector<InputFile>& files_;
   const ParamSpec& root_;
   const YamlNode& tree_;
   std::vector<Finding> findings_;

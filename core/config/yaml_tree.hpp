@@ -13,7 +13,8 @@
 
 namespace breccia {
 
-/// Where something was written. Source 0 is the workflow, 1 the command line (its lines are the overrides).
+/// Where something was written. Source 0 is the workflow, those after it its bases, the last one the command line (its
+/// lines are the overrides).
 struct Place {
   int source = 0, line = 1, column = 1;
 };

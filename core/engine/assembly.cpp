@@ -70,7 +70,7 @@ State assemble(const PackedParticles& packing, const Material& material, int dim
   for (auto* field : {&p.velocity, &p.angular_velocity, &p.force, &p.torque, &p.applied_force}) field->assign(n, Vec3::Zero());
   p.reference_position = p.position;
   p.held.assign(n, dimension == 2 ? dof::out_of_plane : std::uint8_t(0));
-  s.specimen = measure_specimen(p.position, p.radius, packing.outline, packing.axis, dimension, thickness);
+  s.specimen = measure_specimen(p.position, p.radius, packing.outline, packing.axis, dimension, thickness, packing.container_volume);
   return s;
 }
 

@@ -12,29 +12,35 @@ namespace {
 
 struct Candidate {
   Index i, j;
-  double distance, gap;  ///< gap = distance/(r_i + r_j) - 1
+  double distance, gap;
 };
 
-std::vector<Candidate> pairs_within(const Particles& p, double tolerance) {
+std::vector<Candidate> pairs_within(const Particles& p, GapMeasure measure, double limit) {
   const double largest = *std::max_element(p.radius.begin(), p.radius.end());
+  const bool relative = measure == GapMeasure::relative;
   std::vector<Candidate> found;
-  CellGrid(p.position, 2 * largest * (1 + tolerance)).for_each_pair([&](Index i, Index j) {
-    const double d = (p.position[j] - p.position[i]).norm(), gap = d / (p.radius[i] + p.radius[j]) - 1;
-    if (gap <= tolerance) found.push_back({i, j, d, gap});
-  });
+  CellGrid(p.position, 2 * largest * (1 + (relative ? limit : std::max(0.0, 0.5 * limit / largest))))
+      .for_each_pair([&](Index i, Index j) {
+        const double d = (p.position[j] - p.position[i]).norm(), touching = p.radius[i] + p.radius[j];
+        const double gap = relative ? d / touching - 1 : d - touching;
+        if (gap <= limit) found.push_back({i, j, d, gap});
+      });
   return found;
 }
 
 /// The candidates with the smallest gaps, as many as asked; equal gaps stand or fall together, so a lattice stays one.
-std::vector<Candidate> nearest_pairs(const Particles& p, std::size_t wanted, double& tolerance) {
+std::vector<Candidate> nearest_pairs(const Particles& p, GapMeasure measure, std::size_t wanted, double& limit) {
+  double mean = 0;
+  for (const double r : p.radius) mean += r / double(p.size());
+  const double unit = measure == GapMeasure::relative ? 1.0 : 2 * mean;
   for (double reach = 0.25; reach < 8; reach *= 2) {
-    std::vector<Candidate> found = pairs_within(p, reach);
+    std::vector<Candidate> found = pairs_within(p, measure, reach * unit);
     if (found.size() < wanted) continue;
     std::vector<double> gaps(found.size());
     std::transform(found.begin(), found.end(), gaps.begin(), [](const Candidate& c) { return c.gap; });
     std::nth_element(gaps.begin(), gaps.begin() + std::ptrdiff_t(wanted - 1), gaps.end());
-    tolerance = gaps[wanted - 1] + 1e-12 * (1 + std::abs(gaps[wanted - 1]));
-    std::erase_if(found, [&](const Candidate& c) { return c.gap > tolerance; });
+    limit = gaps[wanted - 1] + 1e-12 * (unit + std::abs(gaps[wanted - 1]));
+    std::erase_if(found, [&](const Candidate& c) { return c.gap > limit; });
     return found;
   }
   throw UserError("bonding.coordination_number: so few neighbours exist that it cannot be reached even by bonds across gaps of several radii");
@@ -44,16 +50,16 @@ std::vector<Candidate> nearest_pairs(const Particles& p, std::size_t wanted, dou
 
 BondingResult make_bonds(State& state, const BondingRule& rule) {
   const Particles& p = state.particles;
-  BondingResult result;
+  BondingResult result{rule.measure};
   std::vector<Candidate> chosen;
   if (rule.coordination_number) {
     const auto wanted = std::size_t(std::llround(0.5 * *rule.coordination_number * double(p.size())));
     if (wanted > p.size() * (p.size() - 1) / 2)
       throw UserError("bonding.coordination_number: " + std::to_string(p.size()) + " particles cannot have that many neighbours");
-    if (wanted > 0) chosen = nearest_pairs(p, wanted, result.tolerance);
+    if (wanted > 0) chosen = nearest_pairs(p, rule.measure, wanted, result.limit);
   } else {
-    result.tolerance = *rule.tolerance;
-    chosen = pairs_within(p, result.tolerance);
+    result.limit = *rule.limit;
+    chosen = pairs_within(p, rule.measure, result.limit);
   }
   std::sort(chosen.begin(), chosen.end(), [](const Candidate& a, const Candidate& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; });
   Bonds& b = state.bonds;

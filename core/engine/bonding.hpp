@@ -8,14 +8,22 @@
 
 namespace breccia {
 
-/// Exactly one of the two.
+/// By which of its gaps a pair counts as near.
+enum class GapMeasure {
+  relative,  ///< distance/(r_i + r_j) - 1 [1]
+  absolute   ///< distance - r_i - r_j [m]
+};
+
+/// A limit, or the coordination number that the limit is to give: one of the two.
 struct BondingRule {
-  std::optional<double> tolerance;            ///< bond when distance <= (1 + tolerance)(r_i + r_j)
-  std::optional<double> coordination_number;  ///< the tolerance that gives this mean number of bonds per particle
+  GapMeasure measure = GapMeasure::relative;
+  std::optional<double> limit;                ///< bond when the gap is at most this [1] or [m]
+  std::optional<double> coordination_number;  ///< mean number of bonds per particle
 };
 
 struct BondingResult {
-  double tolerance = 0;            ///< used
+  GapMeasure measure = GapMeasure::relative;
+  double limit = 0;                ///< used [1] or [m]
   double coordination_number = 0;  ///< 2 bonds / particles
 };
 

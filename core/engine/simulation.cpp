@@ -150,7 +150,8 @@ void Simulation::mark_start_of_loading() {
   state_.particles.reference_position = state_.particles.position;
   for (Wall& w : state_.walls) w.displacement.setZero();
   const SpecimenShape& old = state_.specimen;
-  state_.specimen = measure_specimen(state_.particles.position, state_.particles.radius, old.outline, old.axis, state_.dimension, state_.thickness);
+  state_.specimen = measure_specimen(state_.particles.position, state_.particles.radius, old.outline, old.axis, state_.dimension,
+                                     state_.thickness, old.volume);
   loading_started_ = true;
 }
 

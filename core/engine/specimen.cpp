@@ -6,7 +6,8 @@
 namespace breccia {
 
 SpecimenShape measure_specimen(std::span<const Vec3> position, std::span<const double> radius,
-                               SpecimenShape::Outline outline, const Vec3& axis, int dimension, double thickness) {
+                               SpecimenShape::Outline outline, const Vec3& axis, int dimension, double thickness,
+                               double container_volume) {
   SpecimenShape s;
   s.outline = outline;
   s.axis = axis.normalized();
@@ -36,6 +37,13 @@ SpecimenShape measure_specimen(std::span<const Vec3> position, std::span<const d
     s.cross_section_area = s.extent.prod() / s.extent.dot(s.axis.cwiseAbs());
   }
   s.volume = s.cross_section_area * s.height;
+  if (outline == SpecimenShape::Outline::ellipsoid) {
+    s.cross_section_area *= dimension == 2 ? 1.0 : std::numbers::pi / 4;
+    s.volume *= std::numbers::pi / (dimension == 2 ? 4 : 6);
+  } else if (outline == SpecimenShape::Outline::irregular && container_volume > 0) {
+    s.volume = container_volume;
+    s.cross_section_area = s.volume / s.height;
+  }
   return s;
 }
 

@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/plugin_section.hpp"
 
-#include <yaml-cpp/yaml.h>
-
 namespace breccia {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> plugin_paths(const std::string& yaml_text, const fs::path& file) {
+std::vector<fs::path> plugin_paths(const BaseChain& chain) {
   std::vector<fs::path> paths;
-  if (yaml_text.size() > (4u << 20)) return paths;
-  try {
-    const YAML::Node root = YAML::Load(yaml_text);
-    if (!root.IsMap() || !root["plugins"] || !root["plugins"].IsSequence()) return paths;
-    for (const YAML::Node& entry : root["plugins"]) {
-      if (!entry.IsMap() || !entry["path"] || !entry["path"].IsScalar()) continue;
-      paths.push_back(fs::absolute(file).parent_path() / entry["path"].Scalar());
-    }
-  } catch (const YAML::Exception&) {
-    paths.clear();
+  for (const InputFile& file : chain.files) {
+    const YamlEntry* section = file.tree ? file.tree->find("plugins") : nullptr;
+    if (!section) continue;
+    for (const YamlPtr& item : section->value->items)
+      if (const YamlEntry* path = item->find("path"); path && path->value->kind == YamlNode::Kind::scalar)
+        paths.push_back(file.folder / path->value->text);
+    break;
   }
   return paths;
 }

@@ -3,13 +3,15 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <vector>
+
+#include "config/base_chain.hpp"
 
 namespace breccia {
 
-/// Paths under `plugins:`, relative ones from the workflow's folder. Tolerant: whatever is wrong in the text is left to
-/// the full reading, which can name every problem once the plugins are known.
-std::vector<std::filesystem::path> plugin_paths(const std::string& yaml_text, const std::filesystem::path& file);
+/// Paths under `plugins:` of the workflow, or of the first of its bases that has that section; relative ones from the
+/// folder of that file. Tolerant: whatever is wrong is left to the full reading, which can name every problem once the
+/// plugins are known.
+std::vector<std::filesystem::path> plugin_paths(const BaseChain& chain);
 
 }  // namespace breccia

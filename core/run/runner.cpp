@@ -62,9 +62,10 @@ class Run {
     settings.skin = w_.engine.skin;
     settings.threads = monitor_.threads();
     simulation_ = std::make_unique<Simulation>(assemble(packing_.particles, {w_.material.density}, dimension, w_.thickness), *law_, settings);
-    bonding_ = simulation_->bond({w_.bonding.tolerance, w_.bonding.coordination_number});
-    monitor_.info(fmt::format("{} bonds: coordination number {:.4f}, tolerance {:.4f}", simulation_->state().bonds.size(),
-                              bonding_.coordination_number, bonding_.tolerance));
+    bonding_ = simulation_->bond(w_.bonding.rule());
+    const bool relative = bonding_.measure == GapMeasure::relative;
+    monitor_.info(fmt::format("{} bonds: coordination number {:.4f}, {}", simulation_->state().bonds.size(), bonding_.coordination_number,
+                              relative ? fmt::format("tolerance {:.4f}", bonding_.limit) : fmt::format("gap {:.4g} m", bonding_.limit)));
     time_column_ = curves_.add({"time", "s", "since the first step"});
     const SimulationView view = simulation_->view();
     protocol_->setup(view, *simulation_, curves_, monitor_);
@@ -177,7 +178,7 @@ class Run {
     summary_.set("bonds", bonds);
     summary_.set("porosity", packing_porosity());
     summary_.set("coordination_number", bonding_.coordination_number);
-    summary_.set("bond_tolerance", bonding_.tolerance);
+    summary_.set(bonding_.measure == GapMeasure::relative ? "bond_tolerance" : "bond_gap_m", bonding_.limit);
     summary_.set("ns_per_bond_step", view.step && bonds ? Json(1e9 * loop_seconds_ / double(view.step) / double(bonds)) : Json());
     summary_.set("neighbour_list_rebuilds", sim.rebuilds());
     const Json derived = law_->derived();

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/workflow.hpp"
 
-#include <fstream>
-#include <sstream>
-
 #include "breccia/contact_law.hpp"
 #include "breccia/output.hpp"
 #include "breccia/packing.hpp"
@@ -28,9 +25,22 @@ void MaterialConfig::describe(Schema<MaterialConfig>& s) {
 void BondingConfig::describe(Schema<BondingConfig>& s) {
   s.param("tolerance", &BondingConfig::tolerance).above(-1).at_most(4).example("0.1")
       .doc("bonds are made between all pairs whose centres are within (1 + tolerance) times the sum of their radii");
+  s.param("gap", &BondingConfig::gap).unit("m").example("0.1 mm")
+      .doc("bonds are made between all pairs whose surfaces are at most this far apart; below zero: that much overlap");
   s.param("coordination_number", &BondingConfig::coordination_number).above(0).at_most(60).example("11.89")
-      .doc("mean number of bonds per particle, 2 bonds/particles: the tolerance that gives it is found and reported");
-  s.exactly_one_of({"tolerance", "coordination_number"});
+      .doc("mean number of bonds per particle, 2 bonds/particles: the tolerance (or gap) that gives it is found and reported");
+  s.param("nearest_by", &BondingConfig::nearest_by)
+      .choice("relative_gap", GapMeasure::relative, "gap over the sum of the radii: large particles reach farther")
+      .choice("gap", GapMeasure::absolute, "distance of the surfaces: small particles get more bonds than by the relative gap")
+      .fallback("relative_gap")
+      .doc("with a coordination_number: by what the nearest pairs are chosen");
+  s.exactly_one_of({"tolerance", "gap", "coordination_number"});
+}
+
+BondingRule BondingConfig::rule() const {
+  if (coordination_number) return {nearest_by, std::nullopt, coordination_number};
+  if (gap) return {GapMeasure::absolute, gap, std::nullopt};
+  return {GapMeasure::relative, tolerance, std::nullopt};
 }
 
 void DampingConfig::describe(Schema<DampingConfig>& s) {
@@ -54,6 +64,11 @@ void SamplingConfig::describe(Schema<SamplingConfig>& s) {
 void Workflow::describe(Schema<Workflow>& s) {
   const Json none = Json::array(), defaults = Json::object();
   s.summary("A bonded-particle simulation");
+  s.param("base", &Workflow::base)
+      .doc("a workflow file to build on, relative to this one; it may have a base itself and need not be complete. Mappings "
+           "are merged key by key; values and lists given here replace those of the base whole, and so does a plugin's "
+           "section with another `type`. A parameter given here drops those of the base that exclude it (`tolerance`, "
+           "`coordination_number`). Relative paths start at the file in which they are written; anchors end with it");
   s.param("name", &Workflow::name).fallback("").doc("of the result folder; default: the name of the file");
   s.param("description", &Workflow::description).fallback("").doc("what it shows");
   s.param("seed", &Workflow::seed).at_least(0).fallback(1).doc("of all random numbers");
@@ -88,15 +103,6 @@ const ParamSpec& workflow_schema() {
 
 namespace {
 
-std::string read_text(const fs::path& file) {
-  if (fs::is_directory(file)) throw UserError(file.string() + " is a folder; a workflow file is needed");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw UserError("cannot read " + file.string() + ": " + (fs::exists(file) ? "no permission" : "no such file"));
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
 /// What only making the plugins can tell.
 void try_plugins(const Workflow& w, const Registry& registry) {
   for (const fs::path& input : registry.create<Packing>(w.packing)->inputs())
@@ -111,10 +117,10 @@ void try_plugins(const Workflow& w, const Registry& registry) {
 }  // namespace
 
 LoadedWorkflow load_workflow(const fs::path& file, const std::vector<std::string>& overrides, Registry& registry) {
-  const std::string text = read_text(file);
-  for (const fs::path& path : plugin_paths(text, file)) registry.add(path);
+  const BaseChain chain = follow_bases(read_text(file), file.string());
+  for (const fs::path& path : plugin_paths(chain)) registry.add(path);
   LoadedWorkflow loaded;
-  loaded.config = read_config(text, file.string(), workflow_schema(), registry, overrides);
+  loaded.config = read_config(chain, workflow_schema(), registry, overrides);
   if (loaded.config["name"] == "") loaded.config["name"] = file.stem().string();
   Schema<Workflow> schema;
   Workflow::describe(schema);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// A workflow: one YAML file that wires the plugins.
+/// A workflow: one YAML file that wires the plugins, alone or on top of a base.
 #pragma once
 
 #include <filesystem>
 
 #include "breccia/schema.hpp"
+#include "engine/bonding.hpp"
 #include "plugin/registry.hpp"
 
 namespace breccia {
@@ -20,7 +21,9 @@ struct MaterialConfig {
 };
 
 struct BondingConfig {
-  std::optional<double> tolerance, coordination_number;
+  std::optional<double> tolerance, gap, coordination_number;
+  GapMeasure nearest_by;
+  BondingRule rule() const;
   static void describe(Schema<BondingConfig>& s);
 };
 
@@ -40,6 +43,7 @@ struct SamplingConfig {
 };
 
 struct Workflow {
+  std::optional<std::filesystem::path> base;  ///< never set: merged away when the file is read
   std::string name, description;
   long seed, dimension;
   double thickness;
@@ -64,8 +68,8 @@ struct LoadedWorkflow {
 
 const ParamSpec& workflow_schema();
 
-/// Reads and checks a workflow file; the plugins it names under `plugins:` are added to the registry first. Makes each
-/// of its plugins once, and looks for the files that its packing needs. ConfigError with every problem.
+/// Reads and checks a workflow file and its bases; the plugins named under `plugins:` are added to the registry first.
+/// Makes each of its plugins once, and looks for the files that its packing needs. ConfigError with every problem.
 LoadedWorkflow load_workflow(const std::filesystem::path& file, const std::vector<std::string>& overrides, Registry& registry);
 
 }  // namespace breccia

@@ -34,7 +34,7 @@ std::pair<double, double> measure(const Workflow& w, const Registry& registry, c
   settings.damping = {w.damping.translational, w.damping.rotational};
   settings.threads = threads;
   Simulation sim(assemble(packing, {w.material.density}, int(w.dimension), w.thickness), *law, settings);
-  sim.bond({w.bonding.tolerance, w.bonding.coordination_number});
+  sim.bond(w.bonding.rule());
   Quiet host;
   CurveTable curves;
   protocol->setup(sim.view(), sim, curves, host);

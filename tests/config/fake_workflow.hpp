@@ -93,6 +93,7 @@ struct Workflow {
   std::vector<PluginChoice> postprocessor;
   Json expected;
   std::optional<double> quick, slow;
+  std::optional<std::filesystem::path> base;
   static void describe(Schema<Workflow>& s) {
     s.param("title", &Workflow::title).doc("a line for the report").fallback("untitled");
     s.param("seed", &Workflow::seed).at_least(0).doc("of random numbers").fallback(1);
@@ -108,6 +109,7 @@ struct Workflow {
     s.param("expected", &Workflow::expected).doc("reference values").fallback(Json::object());
     s.param("quick", &Workflow::quick).doc("one way");
     s.param("slow", &Workflow::slow).doc("another way");
+    s.param("base", &Workflow::base).doc("a file to build on");
     s.at_most_one_of({"quick", "slow"});
   }
 };

@@ -49,10 +49,26 @@ INSTANTIATE_TEST_SUITE_P(
                     std::pair{"type: brittle", "type: soft"}, std::pair{"type: brittle", "kind: brittle"},
                     std::pair{"model: model_2", "model: model_3"}, std::pair{"[1 MPa, 70 psi, 0.1 GPa]", "[]"},
                     std::pair{"[1 MPa, 70 psi, 0.1 GPa]", "1 MPa"}, std::pair{"[1 m, 1 m, 1 m]", "[1 m, 1 m]"},
-                    std::pair{"every: 2 ms", "often: 2 ms"}, std::pair{"bond_modulus: &stiff 10 GPa", "#"}));
+                    std::pair{"every: 2 ms", "often: 2 ms"}, std::pair{"  type: brittle\n", "\n"},
+                    std::pair{"- type: stress\n    every", "- every"}, std::pair{"  diameter: 23 mm\n", ""},
+                    std::pair{"point: [0 m, 1 mm, -2 cm], ", ""}, std::pair{"bond_modulus: &stiff 10 GPa", "#"}));
 
 TEST(JsonSchema, AdmitsAnythingForAPluginThatDoesNotLoad) {
   EXPECT_EQ(schema_problem("specimen: {diameter: 1 m, height: 1 m}\ncontact_law: {type: absent, what: ever}\n"), "");
+}
+
+// Partial files: what the base has is not asked for, what is written is still checked.
+TEST(JsonSchema, AsksForNothingThatTheBaseMayHave) {
+  for (const char* rest : {"", "seed: 2\n", "specimen: {porosity: 20 %}\n", "contact_law: {model: model_2}\n",
+                           "contact_law: {type: brittle, model: model_2}\n", "specimen: {height: 1 m}\n"}) {
+    EXPECT_EQ(schema_problem(std::string("base: specimen.yaml\n") + rest), "") << rest;
+    EXPECT_NE(schema_problem(rest[0] ? rest : "{}"), "") << rest;
+  }
+  for (const char* wrong : {"sed: 2\n", "seed: -2\n", "specimen: {porosity: wide}\n", "specimen: {hight: 1 m}\n",
+                            "specimen: {height: 1 m, slenderness: 2}\n", "contact_law: {type: brittle, modl: 2}\n",
+                            "contact_law: {type: britle}\n", "postprocessor: [{every: 2 ms}]\n",
+                            "postprocessor: [{type: stress, walls: [{friction: 1}]}]\n", "base: [a.yaml]\n"})
+    EXPECT_NE(schema_problem(std::string(wrong[0] == 'b' ? "" : "base: specimen.yaml\n") + wrong), "") << wrong;
 }
 
 TEST(JsonSchema, SaysWhatEditorsShow) {

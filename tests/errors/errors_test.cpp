@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Error texts are part of the product: NAME.yaml (and NAME.set, one override a line) must be refused with exactly the
-/// lines of NAME.expected. A missing .expected fails; the failure prints what it would have to hold.
+/// lines of NAME.expected. A missing .expected fails; the failure prints what it would have to hold. Files to build on
+/// are in `bases/`.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -43,6 +44,7 @@ TEST_P(ErrorText, IsAsExpected) {
   const auto with = [&](const char* ending) { return base.string() + ending; };
   std::vector<std::string> overrides;
   if (std::filesystem::exists(with(".set"))) overrides = lines_of(content_of(with(".set")));
+  std::filesystem::current_path(CASES);  // so that messages name files as they are called here
   std::string got;
   try {
     const Json config = read_config(content_of(with(".yaml")), GetParam() + ".yaml", fake::root(), fake::Plugins(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "radii.hpp"
+#include "breccia/packing_tools/radius_distribution.hpp"
 
 #include <gtest/gtest.h>
 

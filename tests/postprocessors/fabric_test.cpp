@@ -83,5 +83,67 @@ TEST(Fabric, ColumnsCanBeLeftOut) {
   EXPECT_EQ(p.finish(s.view()).owned["final_fabric"][0][0], 0);
 }
 
+/// Two bonds along one axis and one along another, turned: phi = diag(2, 1, 0)/3 in the turned frame.
+TEST(Fabric, DeviatorAndPrincipalValues) {
+  const Mat3 turn = (Eigen::AngleAxisd(0.4, Vec3::UnitZ()) * Eigen::AngleAxisd(0.7, Vec3::UnitX())).toRotationMatrix();
+  const Vec3 first = turn.col(0), second = turn.col(1);
+  FakeSimulation s = star({first, -first, second});
+  LoadedPostprocessor p("fabric");
+  p.begin(s.view());
+  const FakeSummary got = p.finish(s.view());
+  for (const std::string when : {"initial", "final"}) {
+    const Json values = got.owned.at(when + "_principal_values"), axes = got.owned.at(when + "_principal_directions");
+    ASSERT_EQ(values.size(), 3u);
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_NEAR(values[k].get<double>(), (2 - k) / 3.0, 1e-15);
+      const Vec3 axis(axes[k][0], axes[k][1], axes[k][2]);
+      EXPECT_NEAR(std::abs(axis.dot(turn.col(k))), 1, 1e-14) << k;
+      EXPECT_EQ(axis.maxCoeff(), axis.cwiseAbs().maxCoeff()) << "largest component positive";
+    }
+    const Mat3 deviator = turn * Vec3(1 / 3.0, 0, -1 / 3.0).asDiagonal() * turn.transpose();
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b)
+        EXPECT_NEAR(got.owned.at(when + "_deviator")[a][b].get<double>(), deviator(a, b), 1e-15);
+    EXPECT_NEAR(got.owned.at(when + "_deviatoric_invariant").get<double>(), std::sqrt(1.5 * 2 / 9), 1e-15);
+  }
+}
+
+TEST(Fabric, DeviatorInThePlane) {
+  const double t = M_PI / 6;
+  const Vec3 first(std::cos(t), std::sin(t), 0), second(-std::sin(t), std::cos(t), 0);
+  FakeSimulation s = star({first, first, second});
+  s.dimension = 2;
+  LoadedPostprocessor p("fabric");
+  p.begin(s.view());
+  FakeSummary got = p.finish(s.view());
+  ASSERT_EQ(got.owned["initial_principal_values"].size(), 2u);
+  EXPECT_NEAR(got.owned["initial_principal_values"][0].get<double>(), 2 / 3.0, 1e-15);
+  EXPECT_NEAR(got.owned["initial_principal_values"][1].get<double>(), 1 / 3.0, 1e-15);
+  const Json axis = got.owned["initial_principal_directions"][0];
+  for (int a = 0; a < 3; ++a) EXPECT_NEAR(axis[a].get<double>(), first[a], 1e-15);
+  EXPECT_NEAR(got.owned["initial_deviatoric_invariant"].get<double>(), 1 / 3.0, 1e-15) << "difference of the two";
+  EXPECT_NEAR(got.owned["initial_deviator"][0][1].get<double>(), std::sin(2 * t) / 6, 1e-15);
+  EXPECT_EQ(got.owned["initial_deviator"][2][2], 0);
+}
+
+TEST(Fabric, InvariantIsOneWhenAllDirectionsAreTheSame) {
+  FakeSimulation s = star({Vec3(0, 0.6, 0.8), Vec3(0, -0.6, -0.8)});
+  LoadedPostprocessor p("fabric");
+  p.begin(s.view());
+  FakeSummary got = p.finish(s.view());
+  EXPECT_NEAR(got.owned["initial_deviatoric_invariant"].get<double>(), 1, 1e-15);
+  EXPECT_NEAR(got.owned["initial_anisotropy"].get<double>(), 7.5, 1e-14);
+}
+
+TEST(Fabric, WithoutBondsThereIsNothingPrincipal) {
+  FakeSimulation s;
+  s.add_particle(Vec3::Zero(), 1);
+  LoadedPostprocessor p("fabric");
+  p.begin(s.view());
+  FakeSummary got = p.finish(s.view());
+  EXPECT_TRUE(got.owned["initial_principal_values"].is_null());
+  EXPECT_TRUE(got.owned["final_deviator"].is_null());
+}
+
 }  // namespace
 }  // namespace breccia::test

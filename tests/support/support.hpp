@@ -66,7 +66,7 @@ inline Bench make_bench(const PackedParticles& packing, const Json& law, double 
   Bench b;
   b.law = make_law(law);
   b.simulation = std::make_unique<Simulation>(assemble(packing, {2650}, dimension, 1.0), *b.law, settings);
-  b.simulation->bond({tolerance, std::nullopt});
+  b.simulation->bond({GapMeasure::relative, tolerance, std::nullopt});
   return b;
 }
 

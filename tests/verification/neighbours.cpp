@@ -35,35 +35,55 @@ TEST(Neighbours, NoContactIsMissedBetweenRebuilds) {
   EXPECT_GT(b->rebuilds(), first) << "the test must rebuild";
 }
 
-TEST(Neighbours, BondsByToleranceAndByCoordinationNumber) {
+TEST(Neighbours, BondsByLimitAndByCoordinationNumber) {
   const PackedParticles p = random_block(7, 7, 7, 1e-3, 4);
   auto law = make_law();
-  Simulation by_number(assemble(p, {2650}, 3, 1), *law, {});
-  const BondingResult found = by_number.bond({std::nullopt, 9.0});
-  EXPECT_NEAR(found.coordination_number, 9.0, 2.0 / 343);
-  Simulation by_tolerance(assemble(p, {2650}, 3, 1), *law, {});
-  by_tolerance.bond({found.tolerance, std::nullopt});
-  EXPECT_EQ(by_number.state().bonds.i, by_tolerance.state().bonds.i);
-  EXPECT_EQ(by_number.state().bonds.j, by_tolerance.state().bonds.j);
-  // Against all pairs.
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < 343; ++i)
-    for (std::size_t j = i + 1; j < 343; ++j)
-      count += (p.position[i] - p.position[j]).norm() <= (1 + found.tolerance) * (p.radius[i] + p.radius[j]);
-  EXPECT_EQ(count, by_number.state().bonds.size());
+  for (const GapMeasure measure : {GapMeasure::relative, GapMeasure::absolute}) {
+    Simulation by_number(assemble(p, {2650}, 3, 1), *law, {});
+    const BondingResult found = by_number.bond({measure, std::nullopt, 9.0});
+    EXPECT_NEAR(found.coordination_number, 9.0, 2.0 / 343);
+    EXPECT_EQ(found.measure, measure);
+    Simulation by_limit(assemble(p, {2650}, 3, 1), *law, {});
+    by_limit.bond({measure, found.limit, std::nullopt});
+    EXPECT_EQ(by_number.state().bonds.i, by_limit.state().bonds.i);
+    EXPECT_EQ(by_number.state().bonds.j, by_limit.state().bonds.j);
+    // Against all pairs.
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < 343; ++i)
+      for (std::size_t j = i + 1; j < 343; ++j) {
+        const double touching = p.radius[i] + p.radius[j], d = (p.position[i] - p.position[j]).norm();
+        count += measure == GapMeasure::relative ? d <= (1 + found.limit) * touching : d <= touching + found.limit;
+      }
+    EXPECT_EQ(count, by_number.state().bonds.size());
+  }
+}
+
+TEST(Neighbours, TheGapItselfBondsSmallParticlesThatTheRelativeGapDoesNot) {
+  // Gaps of 0.1 mm between two small spheres and of 0.15 mm between two large ones: 0.5 and 0.075 of the sums of radii.
+  PackedParticles p;
+  p.position = {Vec3(0, 0, 0), Vec3(0.3e-3, 0, 0), Vec3(10e-3, 0, 0), Vec3(12.15e-3, 0, 0)};
+  p.radius = {0.1e-3, 0.1e-3, 1e-3, 1e-3};
+  auto law = make_law();
+  for (const GapMeasure measure : {GapMeasure::relative, GapMeasure::absolute}) {
+    Simulation s(assemble(p, {2650}, 3, 1), *law, {});
+    s.bond({measure, std::nullopt, 0.5});  // one bond
+    ASSERT_EQ(s.state().bonds.size(), 1u);
+    const double r = s.state().particles.radius[s.state().bonds.i[0]];
+    EXPECT_EQ(r, measure == GapMeasure::relative ? 1e-3 : 0.1e-3);
+  }
 }
 
 TEST(Neighbours, ALatticeKeepsItsSymmetryWhenBondedByNumber) {
   auto law = make_law();
   Simulation s(assemble(simple_cubic(5, 5, 5, 1e-3), {2650}, 3, 1), *law, {});
-  s.bond({std::nullopt, 4.0});  // fewer than the lattice has: equal gaps stand together
+  s.bond({GapMeasure::relative, std::nullopt, 4.0});  // fewer than the lattice has: equal gaps stand together
   EXPECT_EQ(s.state().bonds.size(), 300u);
 }
 
 TEST(Neighbours, ImpossibleCoordinationNumberIsTheUsersError) {
   auto law = make_law();
   Simulation s(assemble(simple_cubic(2, 1, 1, 1e-3), {2650}, 3, 1), *law, {});
-  EXPECT_THROW(s.bond({std::nullopt, 11.0}), UserError);
+  EXPECT_THROW(s.bond({GapMeasure::relative, std::nullopt, 11.0}), UserError);
 }
 
 TEST(TimeStep, TwoEqualSpheresOscillateAtTheFrequencyTheBoundGives) {

@@ -25,7 +25,7 @@ struct PackedParticles {
   std::vector<Vec3> position;   ///< [m]
   std::vector<double> radius;   ///< [m], as many
   SpecimenShape::Outline outline = SpecimenShape::Outline::cylinder;
-  Vec3 axis = Vec3::UnitZ();    ///< of the cylinder, or the long direction of the box
+  Vec3 axis = Vec3::UnitZ();    ///< of the cylinder, else the long direction
   double container_volume = 0;  ///< asked for [m3]; 0 when nobody did: then the measured shape counts
   std::vector<AskedGot> report;
 };

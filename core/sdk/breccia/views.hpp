@@ -15,13 +15,18 @@ namespace breccia {
 
 /// Where a specimen stands and how large it is, as measured from its particles when loading begins.
 struct SpecimenShape {
-  enum class Outline { cylinder, box };
+  enum class Outline {
+    cylinder,
+    box,
+    ellipsoid,   ///< a sphere before loading
+    irregular    ///< whatever the container was: its volume was given, the cross-section is volume/height
+  };
   Outline outline = Outline::cylinder;
   Vec3 base = Vec3::Zero();             ///< centre of the lower end face [m]
   Vec3 axis = Vec3::UnitZ();            ///< unit vector from the lower to the upper end
   double height = 0;                    ///< along the axis [m]
   Vec3 extent = Vec3::Zero();           ///< of the bounding box along x, y, z; for a cylinder 2R in the two cross directions [m]
-  double cross_section_area = 0;        ///< normal to the axis [m2]; in two dimensions width x thickness
+  double cross_section_area = 0;        ///< normal to the axis, the largest there is [m2]; in two dimensions width x thickness
   double volume = 0;                    ///< [m3]
 };
 

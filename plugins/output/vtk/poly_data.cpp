@@ -113,7 +113,8 @@ void add_frame_facts(vtkPolyData* data, const SimulationView& view) {
   add<vtkDoubleArray>(facts, "specimen_extent", "m", 1, [&](std::size_t) { return view.specimen.extent; });
   add<vtkDoubleArray>(facts, "specimen_height", "m", 1, [&](std::size_t) { return view.specimen.height; });
   vtkNew<vtkStringArray> outline;
-  outline->InsertNextValue(view.specimen.outline == SpecimenShape::Outline::cylinder ? "cylinder" : "box");
+  constexpr const char* outlines[] = {"cylinder", "box", "ellipsoid", "irregular"};
+  outline->InsertNextValue(outlines[int(view.specimen.outline)]);
   attach(facts, outline, "specimen_outline", "");
 }
 

@@ -3,25 +3,10 @@
 #pragma once
 
 #include "breccia/packing.hpp"
-#include "container.hpp"
-#include "radii.hpp"
+#include "breccia/packing_tools/container.hpp"
+#include "breccia/packing_tools/radius_distribution.hpp"
 
 namespace breccia::labra_onate {
-
-enum class Shape { cylinder, box };
-
-struct ContainerConfig {
-  Shape shape = Shape::cylinder;
-  std::optional<double> diameter, height;    // [m]
-  std::optional<std::vector<double>> size;   // [m]
-  static void describe(Schema<ContainerConfig>& s);
-};
-
-struct RadiusConfig {
-  Distribution distribution = Distribution::normal;
-  std::optional<double> mean, standard_deviation, min, max;  // [m]
-  static void describe(Schema<RadiusConfig>& s);
-};
 
 struct Config {
   ContainerConfig container;
@@ -33,12 +18,6 @@ struct Config {
 };
 
 void describe(Schema<Config>& s);
-
-/// UserError when the container does not suit the dimension.
-Container make_container(const ContainerConfig& c, int dimension);
-
-/// Fills in what may be left out; UserError when the values contradict each other.
-RadiusLaw make_radius_law(const RadiusConfig& c);
 
 /// The radii to pack and the factor they were multiplied with to meet the porosity.
 struct Sizes {

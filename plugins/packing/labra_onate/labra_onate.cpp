@@ -13,20 +13,12 @@ namespace breccia::labra_onate {
 namespace {
 // With fewer spheres the loops are so short that waiting for each other costs more than the threads bring.
 constexpr std::size_t worth_threads = 20000;
-
-/// Of equally long sides the last: z before y before x.
-Vec3 long_direction(const Container& box) {
-  int at = box.dimension() - 1;
-  for (int k = at - 1; k >= 0; --k)
-    if (box.size()[k] > box.size()[at]) at = k;
-  return Vec3::Unit(at);
-}
 }  // namespace
 
 PackedParticles LabraOnate::generate(const PackingRequest& request, Host& host) {
   BRECCIA_ASSERT(request.dimension == 2 || request.dimension == 3);
-  const Container box = make_container(config_.container, request.dimension);
-  const RadiusLaw law = make_radius_law(config_.radius);
+  const Container box = config_.container.make(request.dimension);
+  const RadiusLaw law = config_.radius.law();
   const Sizes sizes = choose_sizes(config_, law, box, host);
   const std::size_t n = sizes.radii.size();
 
@@ -55,8 +47,8 @@ PackedParticles LabraOnate::generate(const PackingRequest& request, Host& host) 
   packed.report = report(quality, config_, law, sizes.factor, neighbours, box, n);
   packed.position = std::move(s.x);
   packed.radius = std::move(s.r);
-  packed.outline = box.round() ? SpecimenShape::Outline::cylinder : SpecimenShape::Outline::box;
-  packed.axis = box.round() ? Vec3::Unit(2) : long_direction(box);
+  packed.outline = box.outline();
+  packed.axis = box.axis();
   packed.container_volume = box.measure() * (request.dimension == 2 ? request.thickness : 1.0);
   return packed;
 }

@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-#include "parallel.hpp"
+#include "breccia/packing_tools/parallel.hpp"
 
 namespace breccia::labra_onate {
 

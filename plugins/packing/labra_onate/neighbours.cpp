@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "breccia/cell_grid.hpp"
-#include "parallel.hpp"
+#include "breccia/packing_tools/parallel.hpp"
 
 namespace breccia::labra_onate {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "container.hpp"
+#include "breccia/packing_tools/container.hpp"
 
 namespace breccia::labra_onate {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "parallel.hpp"
+#include "breccia/packing_tools/parallel.hpp"
 
 namespace breccia::labra_onate {
 

@@ -94,9 +94,10 @@ std::vector<AskedGot> report(const Quality& q, const Config& c, const RadiusLaw&
       {"particles_at_walls", "1", std::nullopt, double(q.at_wall)},
       {"tangent_share_at_walls", "1", 1.0, q.tangent},
   };
-  const std::size_t lower = box.round() ? 1 : box.dimension() == 2 ? 2 : 4;
-  lines.push_back({"particles_on_lower_end", "1", std::nullopt, double(q.touching[lower])});
-  lines.push_back({"particles_on_upper_end", "1", std::nullopt, double(q.touching[lower + 1])});
+  if (const auto lower = box.lower_end()) {
+    lines.push_back({"particles_on_lower_end", "1", std::nullopt, double(q.touching[*lower])});
+    lines.push_back({"particles_on_upper_end", "1", std::nullopt, double(q.touching[*lower + 1])});
+  }
   return lines;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Fabric tensor of bond or contact directions. Source: Satake (1982); Kanatani (1984), Int. J. Eng. Sci. 22, 149-164.
+#include <Eigen/Eigenvalues>
 #include <cmath>
+#include <string>
 
 #include "breccia/postprocessor.hpp"
 
@@ -23,21 +25,56 @@ struct Fabric {
     if (count > 0) tensor /= double(count);
     return *this;
   }
-  /// 0 when isotropic. Size of the second-order term of the density of directions,
-  /// E(n) = (1 + F' : n (x) n)/(4 pi), F' = 15/2 dev, sqrt(3/2 F':F'); in the plane
-  /// E(n) = (1 + F' : n (x) n)/(2 pi), F' = 4 dev, sqrt(1/2 F':F').
-  double anisotropy(int dimension) const {
-    if (count == 0) return 0;
-    Mat3 deviator = tensor;
-    for (int k = 0; k < dimension; ++k) deviator(k, k) -= tensor.trace() / dimension;
-    return deviator.norm() * (dimension == 3 ? 7.5 * std::sqrt(1.5) : 4 * std::sqrt(0.5));
+  Mat3 deviator(int dimension) const {
+    Mat3 d = tensor;
+    for (int k = 0; k < dimension; ++k) d(k, k) -= tensor.trace() / dimension;
+    return d;
   }
-  Json json() const {
-    Json rows = Json::array();
-    for (int a = 0; a < 3; ++a) rows.push_back({tensor(a, 0), tensor(a, 1), tensor(a, 2)});
-    return rows;
+  /// q = sqrt(3/2 F':F') of the deviator F', in the plane sqrt(2 F':F'): the difference of the principal values, in
+  /// space when two of them are equal. Between 0 (isotropic) and 1 (all directions the same).
+  double invariant(int dimension) const {
+    return count == 0 ? 0 : std::sqrt(dimension == 3 ? 1.5 : 2.0) * deviator(dimension).norm();
+  }
+  /// 0 when isotropic. Size of the second-order term of the density of directions,
+  /// E(n) = (1 + F : n (x) n)/(4 pi), F = 15/2 dev, sqrt(3/2 F:F); in the plane
+  /// E(n) = (1 + F : n (x) n)/(2 pi), F = 4 dev, sqrt(1/2 F:F).
+  double anisotropy(int dimension) const { return invariant(dimension) * (dimension == 3 ? 7.5 : 2); }
+};
+
+Json json(const Mat3& m) {
+  Json rows = Json::array();
+  for (int a = 0; a < 3; ++a) rows.push_back({m(a, 0), m(a, 1), m(a, 2)});
+  return rows;
+}
+
+struct Principal {
+  Json values = Json::array();      ///< the largest first
+  Json directions = Json::array();  ///< unit vectors, their largest component positive
+
+  Principal(const Mat3& tensor, int dimension) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(tensor.topLeftCorner(dimension, dimension));
+    for (int k = dimension - 1; k >= 0; --k) {
+      Vec3 n = Vec3::Zero();
+      n.head(dimension) = solver.eigenvectors().col(k);
+      Eigen::Index largest;
+      n.cwiseAbs().maxCoeff(&largest);
+      if (n[largest] < 0) n = -n;
+      values.push_back(solver.eigenvalues()[k]);
+      directions.push_back({n[0], n[1], n[2]});
+    }
   }
 };
+
+/// Keys begin with `when`. Without directions there are no principal ones.
+void report(const Fabric& f, int dimension, const std::string& when, Summary& summary) {
+  summary.own(when + "_fabric", json(f.tensor));
+  summary.own(when + "_anisotropy", f.anisotropy(dimension));
+  summary.own(when + "_deviator", f.count > 0 ? json(f.deviator(dimension)) : Json());
+  summary.own(when + "_deviatoric_invariant", f.invariant(dimension));
+  const Principal principal(f.tensor, dimension);
+  summary.own(when + "_principal_values", f.count > 0 ? principal.values : Json());
+  summary.own(when + "_principal_directions", f.count > 0 ? principal.directions : Json());
+}
 
 bool touches(const PairForce& f) { return f.fx != 0 || f.fy != 0 || f.fz != 0; }
 
@@ -54,7 +91,8 @@ class FabricTensor final : public Postprocessor {
         .source("Satake (1982); Kanatani (1984); Rojek et al. (2012), section 5.1")
         .details(
             "The trace is one; an isotropic assembly has 1/3 on the diagonal (1/2 in two dimensions). The headline "
-            "`fabric_diagonal` is that of all bonds made, at the start of loading.");
+            "`fabric_diagonal` is that of all bonds made, at the start of loading. The summary has tensor, deviator "
+            "and its invariant, principal values and directions, at the start and at the end.");
     s.param("of", &Config::of)
         .choice("bonds", Of::bonds, "bonds that still hold")
         .choice("touching", Of::touching, "all pairs that exert a force on each other, bonded or not")
@@ -84,12 +122,10 @@ class FabricTensor final : public Postprocessor {
     const Fabric before = initial(view), after = present(view);
     const Mat3& f = before.tensor;
     summary.headline("fabric_diagonal", before.count > 0 ? Json{f(0, 0), f(1, 1), f(2, 2)} : Json());
-    summary.own("initial_fabric", before.json());
-    summary.own("initial_anisotropy", before.anisotropy(view.dimension));
+    report(before, view.dimension, "initial", summary);
     summary.own("initial_bonds", before.count);
     summary.own("final_of", config_.of == Of::bonds ? "bonds" : "touching");
-    summary.own("final_fabric", after.json());
-    summary.own("final_anisotropy", after.anisotropy(view.dimension));
+    report(after, view.dimension, "final", summary);
     summary.own("final_count", after.count);
   }
 

@@ -1,152 +1,152 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "chart.hpp"
 
-#include <vtkAxis.h>
-#include <vtkBrush.h>
-#include <vtkChartLegend.h>
-#include <vtkChartXY.h>
-#include <vtkContext2D.h>
-#include <vtkContextActor.h>
-#include <vtkContextItem.h>
-#include <vtkContextScene.h>
-#include <vtkDoubleArray.h>
-#include <vtkObjectFactory.h>
-#include <vtkPen.h>
-#include <vtkPlotPoints.h>
-#include <vtkStringArray.h>
-#include <vtkTable.h>
-#include <vtkTextProperty.h>
-
 #include <cmath>
-
-#include "canvas.hpp"
 
 namespace breccia::pictures {
 namespace {
 
 using L = ChartLayout;
+using Anchor = Painter::Anchor;
 
-/// Pens, ticks and type of one axis. `u` is the layout's unit in drawn pixels.
-void set_up(vtkAxis* axis, const ChartAxis& as, const Rgb& writing, double u, bool grid) {
-  axis->SetBehavior(vtkAxis::FIXED);
-  axis->SetRange(as.low, as.high);
-  vtkNew<vtkDoubleArray> at;
-  vtkNew<vtkStringArray> labels;
-  for (std::size_t k = 0; k < as.ticks.at.size(); ++k) {
-    at->InsertNextValue(as.ticks.at[k]);
-    labels->InsertNextValue(as.ticks.label[k]);
+void draw_marker(Painter& p, Marker marker, const Point& c, double size, const Rgb& colour) {
+  const double r = 0.5 * size;
+  const auto around = [&](std::initializer_list<Point> corners) {
+    std::vector<Point> at;
+    for (const Point& q : corners) at.push_back(c + r * q);
+    p.polygon(at, colour);
+  };
+  switch (marker) {
+    case Marker::none: break;
+    case Marker::circle: p.disc(c, r, colour); break;
+    case Marker::square: around({{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}}); break;
+    case Marker::triangle_up: around({{-1.1, -0.8}, {1.1, -0.8}, {0, 1.2}}); break;
+    case Marker::diamond: around({{-1.25, 0}, {0, -1.25}, {1.25, 0}, {0, 1.25}}); break;
+    case Marker::triangle_down: around({{-1.1, 0.8}, {0, -1.2}, {1.1, 0.8}}); break;
   }
-  axis->SetCustomTickPositions(at, labels);
-  axis->SetTitleVisible(false);  // see AxisTitles
-  set_type(axis->GetLabelProperties(), int(std::lround(L::label_size * u)), writing);
-  axis->GetPen()->SetWidth(float(L::axis_line * u));
-  axis->GetPen()->SetColor(writing[0], writing[1], writing[2]);
-  axis->SetTickLength(float(L::tick * u));
-  axis->SetLabelOffset(float(1.9 * u));
-  axis->SetGridVisible(grid);
-  axis->GetGridPen()->SetWidth(float(L::grid_line * u));
-  axis->GetGridPen()->SetColor(L::grid[0], L::grid[1], L::grid[2]);
 }
 
-/// The titles of the axes. vtkAxis keeps a fixed number of pixels between labels and title: too few for large type.
-class AxisTitles final : public vtkContextItem {
- public:
-  vtkTypeMacro(AxisTitles, vtkContextItem);
-  static AxisTitles* New();
-  const Chart* chart = nullptr;
-  const ChartLayout* layout = nullptr;
-
-  bool Paint(vtkContext2D* painter) override {
-    constexpr double scale = Canvas::oversampling;
-    const auto write = [&](double x, double y, double turn, const std::string& text) {
-      vtkNew<vtkTextProperty> p;
-      set_type(p, int(std::lround(L::title_size * layout->unit * scale)), layout->writing);
-      p->SetJustificationToCentered();
-      p->SetVerticalJustificationToCentered();
-      p->SetOrientation(turn);
-      painter->ApplyTextProp(p);
-      painter->DrawString(float(x * scale), float(y * scale), text.c_str());
-    };
-    const double x = 0.5 * (layout->left + layout->right), y = 0.5 * (layout->bottom + layout->top);
-    const double offset = L::title_offset * layout->unit;
-    write(x, offset, 0, chart->x_title);
-    write(offset, y, 90, chart->left_title);
-    if (!chart->right_title.empty()) write(layout->width - offset, y, 90, chart->right_title);
-    return true;
-  }
-};
-vtkStandardNewMacro(AxisTitles);
-
-vtkSmartPointer<vtkTable> table_of(const ChartLine& line) {
-  vtkNew<vtkDoubleArray> x, y;
-  x->SetName("x");
-  y->SetName(line.label.c_str());
-  for (std::size_t k = 0; k < line.x.size(); ++k) {
-    if (!std::isfinite(line.x[k]) || !std::isfinite(line.y[k])) continue;
-    x->InsertNextValue(line.x[k]);
-    y->InsertNextValue(line.y[k]);
-  }
-  auto table = vtkSmartPointer<vtkTable>::New();
-  table->AddColumn(x);
-  table->AddColumn(y);
-  return table;
+Stroke stroke_of(const LineStyle& style, double u) {
+  Stroke stroke{style.colour, style.width * u, {}};
+  for (const double d : style.dashes) stroke.dashes.push_back(d * u);
+  return stroke;
 }
 
-void add_line(vtkChartXY* chart, const ChartLine& line, double u) {
-  vtkPlot* plot = chart->AddPlot(line.points ? vtkChart::POINTS : vtkChart::LINE);
-  const auto table = table_of(line);
-  plot->SetInputData(table, 0, 1);
-  plot->SetLabel("  " + line.label);  // the legend sets text close to its symbol
-  plot->SetColor(line.colour[0], line.colour[1], line.colour[2], 255);
-  plot->SetWidth(float((line.dashed ? L::dashed_line : L::line) * u));
-  if (line.dashed) plot->GetPen()->SetLineType(vtkPen::DASH_LINE);
+void draw_line(Painter& p, const ChartLine& line, const L& l) {
+  const std::vector<Point> points = l.points_of(line);
+  const double size = L::marker * l.unit, distance = L::marker_distance * l.unit;
   if (line.points) {
-    auto* points = vtkPlotPoints::SafeDownCast(plot);
-    points->SetMarkerStyle(vtkPlotPoints::CIRCLE);
-    points->SetMarkerSize(float(L::marker * u));
+    for (const Point& at : points) draw_marker(p, line.style.marker, at, size, line.style.colour);
+    return;
   }
-  if (line.right_axis) chart->SetPlotCorner(plot, 1);
+  if (points.size() < 2) return;
+  p.polyline(points, stroke_of(line.style, l.unit));
+  double next = line.first_marker * distance;  // way to go
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    const Point way = points[k] - points[k - 1];
+    for (; next <= way.norm(); next += distance)
+      draw_marker(p, line.style.marker, points[k - 1] + next / way.norm() * way, size, line.style.colour);
+    next -= way.norm();
+  }
+}
+
+void draw_grid(Painter& p, const L& l) {
+  const Stroke thin{L::grid, L::grid_line * l.unit, {}};
+  for (const double at : l.x_axis.ticks.at) {
+    const double x = l.x_axis.along(at, l.left, l.right);
+    p.line({x, l.bottom}, {x, l.top}, thin);
+  }
+  for (const double at : l.left_axis.ticks.at) {
+    const double y = l.left_axis.along(at, l.bottom, l.top);
+    p.line({l.left, y}, {l.right, y}, thin);
+  }
+}
+
+void draw_bars(Painter& p, const Chart& chart, const L& l) {
+  for (const ChartBar& bar : chart.bars) {
+    const double x1 = l.x_axis.along(bar.from, l.left, l.right), x2 = l.x_axis.along(bar.to, l.left, l.right),
+                 y1 = l.left_axis.along(0, l.bottom, l.top), y2 = l.left_axis.along(bar.height, l.bottom, l.top);
+    if (!(bar.height > 0)) continue;
+    p.polygon({{x1, y1}, {x2, y1}, {x2, y2}, {x1, y2}}, bar_fill);
+    p.polyline({{x1, y1}, {x1, y2}, {x2, y2}, {x2, y1}}, {blue, 0.2 * l.unit, {}});
+  }
+}
+
+void draw_axes(Painter& p, const Chart& chart, const L& l) {
+  const double u = l.unit;
+  const Stroke pen{l.writing, L::axis_line * u, {}};
+  p.line({l.left, l.bottom}, {l.right, l.bottom}, pen);
+  for (std::size_t k = 0; k < l.x_axis.ticks.at.size(); ++k) {
+    const double x = l.x_axis.along(l.x_axis.ticks.at[k], l.left, l.right);
+    p.line({x, l.bottom}, {x, l.bottom - L::tick * u}, pen);
+    p.text({x, l.bottom - 3.4 * u}, L::label_size * u, Anchor::middle, l.x_axis.ticks.label[k], l.writing);
+  }
+  const auto vertical = [&](const ChartAxis& axis, double x, double outward, Anchor anchor) {
+    p.line({x, l.bottom}, {x, l.top}, pen);
+    for (std::size_t k = 0; k < axis.ticks.at.size(); ++k) {
+      const double y = axis.along(axis.ticks.at[k], l.bottom, l.top);
+      p.line({x, y}, {x + outward * L::tick * u, y}, pen);
+      p.text({x + outward * 1.9 * u, y}, L::label_size * u, anchor, axis.ticks.label[k], l.writing);
+    }
+  };
+  const double middle_x = 0.5 * (l.left + l.right), middle_y = 0.5 * (l.bottom + l.top), offset = L::title_offset * u;
+  const double below = l.bottom - 10 * u, size = L::title_size * u;
+  vertical(l.left_axis, l.left, -1, Anchor::end);
+  p.text({middle_x, below}, size, Anchor::middle, chart.x_title, l.writing);
+  p.text({offset, middle_y}, size, Anchor::middle, chart.left_title, l.writing, true);
+  if (chart.right_title.empty()) return;
+  vertical(l.right_axis, l.right, 1, Anchor::start);
+  p.text({l.width - offset, middle_y}, size, Anchor::middle, chart.right_title, l.writing, true);
+}
+
+void draw_legend(Painter& p, const Chart& chart, const L& l, const Rgb& paper) {
+  const double u = l.unit;
+  std::size_t k = 0;
+  const std::size_t entries = chart.lines.size() + !chart.bars_label.empty();
+  const double depth = double((entries + l.legend.columns - 1) / l.legend.columns) * L::legend_row * u;
+  const double right = l.legend.left + double(l.legend.columns) * l.legend.column_width, bottom = l.legend.top - depth;
+  if (l.legend.inside && entries > 0)  // so that no grid lines run through the words
+    p.polygon({{l.legend.left, bottom}, {right, bottom}, {right, l.legend.top}, {l.legend.left, l.legend.top}}, paper);
+  const auto next = [&] {
+    const Point at(l.legend.left + double(k % l.legend.columns) * l.legend.column_width + u,
+                   l.legend.top - (double(k / l.legend.columns) + 0.5) * L::legend_row * u);
+    ++k;
+    return at;
+  };
+  const auto write = [&](const Point& at, const std::string& label) {
+    p.text(at + Point((L::legend_symbol + 1.5) * u, 0), L::legend_size * u, Anchor::start, label, l.writing);
+  };
+  if (!chart.bars_label.empty()) {
+    const Point at = next(), w(L::legend_symbol * u, 0), h(0, 0.8 * u);
+    p.polygon({at - h, at + w - h, at + w + h, at + h}, bar_fill);
+    write(at, chart.bars_label);
+  }
+  for (const ChartLine& line : chart.lines) {
+    const Point at = next(), middle = at + Point(0.5 * L::legend_symbol * u, 0);
+    if (!line.points) p.line(at, at + Point(L::legend_symbol * u, 0), stroke_of(line.style, u));
+    draw_marker(p, line.style.marker, middle, L::marker * u, line.style.colour);
+    write(at, line.label);
+  }
 }
 
 }  // namespace
 
-void write_png(const Chart& chart, const ChartLayout& layout, const Sheet& sheet, const std::filesystem::path& file) {
-  Canvas canvas(int(layout.width), int(layout.height), sheet.background);
-  constexpr double scale = Canvas::oversampling;
-  const double u = layout.unit * scale;
-  vtkNew<vtkChartXY> plot;
-  plot->SetAutoSize(false);
-  plot->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
-  plot->SetSize(vtkRectf(float(layout.left * scale), float(layout.bottom * scale),
-                         float((layout.right - layout.left) * scale), float((layout.top - layout.bottom) * scale)));
-  plot->GetBackgroundBrush()->SetColorF(sheet.background.x(), sheet.background.y(), sheet.background.z(), 1);
-  for (const ChartLine& line : chart.lines) add_line(plot, line, u);
-  set_up(plot->GetAxis(vtkAxis::BOTTOM), layout.x_axis, layout.writing, u, true);
-  set_up(plot->GetAxis(vtkAxis::LEFT), layout.left_axis, layout.writing, u, true);
-  if (!chart.right_title.empty()) {
-    plot->GetAxis(vtkAxis::RIGHT)->SetVisible(true);
-    set_up(plot->GetAxis(vtkAxis::RIGHT), layout.right_axis, layout.writing, u, false);
-  }
-  plot->SetShowLegend(true);
-  vtkChartLegend* legend = plot->GetLegend();
-  legend->SetHorizontalAlignment(vtkChartLegend::LEFT);
-  legend->SetVerticalAlignment(vtkChartLegend::TOP);
-  legend->SetPadding(int(1.2 * u));
-  legend->SetSymbolWidth(int(5 * u));
-  legend->SetDragEnabled(false);
-  set_type(legend->GetLabelProperties(), int(std::lround(L::legend_size * u)), layout.writing);
-  legend->GetLabelProperties()->SetJustificationToLeft();
-  legend->GetPen()->SetLineType(vtkPen::NO_PEN);
-  legend->GetBrush()->SetOpacity(0);
-
-  auto titles = vtkSmartPointer<AxisTitles>::New();
-  titles->chart = &chart;
-  titles->layout = &layout;
-  vtkNew<vtkContextActor> actor;
-  actor->GetScene()->AddItem(plot);
-  actor->GetScene()->AddItem(titles);
-  canvas.renderer()->AddActor(actor);
-  canvas.save(file);
+void write_chart(const Chart& chart, const Sheet& sheet, const std::filesystem::path& stem,
+                 std::vector<std::filesystem::path>& made) {
+  const ChartLayout layout = layout_of(chart, sheet);
+  const Page page{int(std::lround(layout.width)), int(std::lround(layout.height)), sheet.background,
+                  chart.left_title + " against " + chart.x_title};
+  const Draw draw = [&](Painter& painter) {
+    draw_grid(painter, layout);
+    draw_bars(painter, chart, layout);
+    for (const ChartLine& line : chart.lines) draw_line(painter, line, layout);
+    draw_axes(painter, chart, layout);
+    draw_legend(painter, chart, layout, bytes_of(sheet.background));
+  };
+  made.push_back(stem.string() + ".png");
+  write_png(page, draw, made.back());
+  made.push_back(stem.string() + ".svg");
+  write_svg(page, draw, made.back());
 }
 
 }  // namespace breccia::pictures

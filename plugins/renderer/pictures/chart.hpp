@@ -1,57 +1,84 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Line charts with one horizontal and one or two vertical axes.
+/// Charts of lines or bars with one horizontal and one or two vertical axes.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "scene_pictures.hpp"
-#include "style.hpp"
+#include "painter.hpp"
 
 namespace breccia::pictures {
 
 struct ChartLine {
   std::string label;
   std::vector<double> x, y;      ///< as shown: already in the units of the axes; what is not finite is left out
-  Rgb colour;
+  LineStyle style;
   bool right_axis = false;
   bool points = false;           ///< markers instead of a line
-  bool dashed = false;
+  double first_marker = 0;       ///< where the first marker along the line stands, as a share of their distance
+};
+
+struct ChartBar {
+  double from, to, height;       ///< as shown
 };
 
 struct Chart {
   std::string x_title, left_title, right_title;  ///< without a right title there is no right axis
   std::vector<ChartLine> lines;
   bool right_from_zero = false;
+  std::vector<ChartBar> bars;    ///< they stand on zero
+  std::string bars_label;
 };
 
 /// One axis: where it begins and ends, at round numbers.
 struct ChartAxis {
   double low = 0, high = 1;
   Ticks ticks;
+  double along(double value, double from, double to) const { return from + (value - low) / (high - low) * (to - from); }
 };
 
-/// Where things stand, in pixels of the finished picture from its lower left corner. Both formats follow it.
+/// Where the legend stands: its upper left corner in pixels, and how many entries there are in a row.
+struct ChartLegend {
+  double left, top;
+  std::size_t columns;
+  double column_width;
+  bool inside;                        ///< on the rectangle of the axes
+};
+
+/// Where things stand, in pixels of the finished picture from its lower left corner.
 struct ChartLayout {
   double width, height;
-  double unit;                        ///< a hundredth of the height: all sizes are multiples of it
+  double unit;                        ///< a hundredth of the height of the plain chart: all sizes are multiples of it
   double left, right, bottom, top;    ///< edges of the rectangle of the axes
   ChartAxis x_axis, left_axis, right_axis;
+  ChartLegend legend;
   Rgb writing;                        ///< colour of text and axes
 
+  Point at(const ChartLine& line, std::size_t k) const {
+    const ChartAxis& y_axis = line.right_axis ? right_axis : left_axis;
+    return {x_axis.along(line.x[k], left, right), y_axis.along(line.y[k], bottom, top)};
+  }
+  /// The points of a line that are finite.
+  std::vector<Point> points_of(const ChartLine& line) const;
+
   // In units.
-  static constexpr double title_size = 3.4, label_size = 3.0, legend_size = 2.8;
-  static constexpr double line = 0.55, dashed_line = 0.4, axis_line = 0.22, grid_line = 0.12, tick = 1.0, marker = 2.2;
-  static constexpr double title_offset = 4;  ///< of the middle of a title from the edge of the picture
+  static constexpr double title_size = 3.4, label_size = 3.0, legend_size = 2.8, legend_row = 4.1, legend_symbol = 7;
+  static constexpr double axis_line = 0.22, grid_line = 0.12, tick = 1.0, marker = 2.2;
+  static constexpr double title_offset = 4;      ///< of the middle of a title from the edge of the picture
+  static constexpr double marker_distance = 22;  ///< along a line
   static constexpr Rgb grid{228, 228, 228};
 };
 
-/// UserError when there are fewer than two points to draw.
+/// The legend goes into a corner that is free of lines and bars, or else below the axes. UserError when there are fewer
+/// than two points to draw.
 ChartLayout layout_of(const Chart& chart, const Sheet& sheet);
 
-void write_png(const Chart& chart, const ChartLayout& layout, const Sheet& sheet, const std::filesystem::path& file);
-/// Text stays text, to be edited in a drawing program.
-void write_svg(const Chart& chart, const ChartLayout& layout, const Sheet& sheet, const std::filesystem::path& file);
+/// Writes <stem>.png and <stem>.svg and adds them to `made`.
+void write_chart(const Chart& chart, const Sheet& sheet, const std::filesystem::path& stem,
+                 std::vector<std::filesystem::path>& made);
+
+/// The width of a text in DejaVu Sans, rather too wide than too narrow, in type sizes.
+double text_width(const std::string& text);
 
 }  // namespace breccia::pictures

@@ -7,6 +7,18 @@
 namespace breccia::pictures {
 namespace {
 
+/// A column as an axis shows it.
+struct Shown {
+  std::vector<double> value;
+  std::string unit;
+};
+Shown shown(const Curve& c) {
+  const ShownUnit unit = unit_of_axis(c, largest(c.value));
+  return {scaled(c.value, unit.factor), unit.unit};
+}
+
+}  // namespace
+
 std::vector<double> scaled(const std::vector<double>& v, double factor) {
   std::vector<double> out(v);
   for (double& x : out) x *= factor;
@@ -20,27 +32,22 @@ double largest(const std::vector<double>& v) {
   return most;
 }
 
-/// A column as an axis shows it: pure numbers in percent, others with a fitting prefix.
-struct Shown {
-  std::vector<double> value;
-  std::string unit;
-};
-Shown shown(const Curve& c) {
-  if (c.unit.empty()) return {scaled(c.value, 100), "%"};
-  const ShownUnit unit = shown_unit(c.unit, largest(c.value));
-  return {scaled(c.value, unit.factor), unit.unit};
+ShownUnit unit_of_axis(const Curve& c, double most) {
+  if (!c.unit.empty()) return shown_unit(c.unit, most);
+  for (const char* share : {"strain", "damage", "share", "ratio", "fraction"})
+    if (c.name.find(share) != c.name.npos) return {100, "%"};
+  return {};
 }
 
-/// "axial strain ε (%)" for the quantities that have a customary sign.
 std::string axis_title(const Curve& c, const std::string& unit) {
   std::string name = c.name;
   if (c.name.ends_with("strain")) name += " ε";
   else if (c.name.ends_with("stress")) name += " σ";
   else if (c.name == "global_damage") name = "broken bonds D";
+  else if (c.name == "bonds_broken_tension") name = "bonds broken in tension";
+  else if (c.name == "bonds_broken_shear") name = "bonds broken in shear";
   return title(name, unit);
 }
-
-}  // namespace
 
 Chart stress_strain_chart(const CurvesFile& curves, const CurveNames& names) {
   const Curve &strain = curves.at(names.strain), &stress = curves.at(names.stress);
@@ -49,13 +56,13 @@ Chart stress_strain_chart(const CurvesFile& curves, const CurveNames& names) {
   Chart chart;
   chart.x_title = axis_title(strain, x.unit);
   chart.left_title = axis_title(stress, y.unit);
-  chart.lines.push_back({title(stress.name, ""), x.value, y.value, blue});
+  chart.lines.push_back({title(stress.name, ""), x.value, y.value, {blue}});
   if (damage) {
     const Shown d = shown(*damage);
     chart.right_title = axis_title(*damage, d.unit);
     chart.right_from_zero = damage->unit.empty();
     chart.lines.push_back({damage->name == "global_damage" ? "broken bonds" : title(damage->name, ""), x.value, d.value,
-                           vermillion, true, false, true});
+                           dashed(vermillion), true});
   }
   std::size_t peak = y.value.size();
   for (std::size_t k = 0; k < y.value.size(); ++k)
@@ -67,7 +74,7 @@ Chart stress_strain_chart(const CurvesFile& curves, const CurveNames& names) {
         {"peak " + significant(y.value[peak], 4) + " " + y.unit + " at " + significant(x.value[peak], 3) + " " + x.unit,
          {x.value[peak]},
          {y.value[peak]},
-         ink,
+         {ink, LineStyle::full, {}, Marker::circle},
          false,
          true});
   return chart;
@@ -79,9 +86,9 @@ Chart strains_chart(const CurvesFile& curves, const CurveNames& names) {
   Chart chart;
   chart.x_title = axis_title(axial, x.unit);
   chart.left_title = axis_title(lateral, y.unit);
-  chart.lines.push_back({title(lateral.name, ""), x.value, y.value, blue});
+  chart.lines.push_back({title(lateral.name, ""), x.value, y.value, {blue}});
   if (const Curve* volumetric = curves.find("volumetric_strain"))
-    chart.lines.push_back({title(volumetric->name, ""), x.value, shown(*volumetric).value, green, false, false, true});
+    chart.lines.push_back({title(volumetric->name, ""), x.value, shown(*volumetric).value, dashed(green)});
   if (chart.lines.size() > 1) chart.left_title = "strain ε (%)";
   return chart;
 }

@@ -28,4 +28,13 @@ Chart stress_strain_chart(const CurvesFile& curves, const CurveNames& names);
 /// Lateral against axial strain.
 Chart strains_chart(const CurvesFile& curves, const CurveNames& names);
 
+// What these have in common with other charts of curves.
+std::vector<double> scaled(const std::vector<double>& v, double factor);
+/// The largest magnitude among the finite values.
+double largest(const std::vector<double>& v);
+/// Strains and shares in percent, counts as they are, what has a unit with the prefix that fits its largest value.
+ShownUnit unit_of_axis(const Curve& curve, double most);
+/// "axial strain ε (%)": with the customary sign of the quantities that have one.
+std::string axis_title(const Curve& curve, const std::string& unit);
+
 }  // namespace breccia::pictures

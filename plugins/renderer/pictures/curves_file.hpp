@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// curves.csv: one header line of names with their units ("axial_stress_Pa"), then numbers.
+/// curves.csv and the tables of a run: one header line of names with their units ("axial_stress_Pa"), then numbers.
 #pragma once
 
 #include <filesystem>
@@ -23,6 +23,7 @@ class CurvesFile {
   /// By header, or by name without the unit. UserError with the nearest and all names when there is none.
   const Curve& at(const std::string& name) const;
   const Curve* find(const std::string& name) const;
+  const std::vector<Curve>& all() const { return curves_; }
 
  private:
   std::filesystem::path file_;

@@ -5,13 +5,15 @@
 #include <algorithm>
 
 #include "chart_pictures.hpp"
+#include "comparison.hpp"
 #include "scene_pictures.hpp"
+#include "table_pictures.hpp"
 
 namespace breccia {
 namespace fs = std::filesystem;
 using namespace pictures;
 
-enum class Motif { specimen, cutaway, cracks, cracks_time, displacement, stress_strain, strains };
+enum class Motif { specimen, cutaway, cracks, cracks_time, displacement, stress_strain, strains, tables };
 
 struct PictureConfig {
   Motif show;
@@ -30,6 +32,7 @@ struct PictureConfig {
         .choice("displacement", Motif::displacement, "the particles, coloured by the magnitude of their displacement")
         .choice("stress_strain", Motif::stress_strain, "axial stress and damage against axial strain, .png and .svg")
         .choice("strains", Motif::strains, "lateral and volumetric strain against axial strain, .png and .svg")
+        .choice("tables", Motif::tables, "histograms and roses of the run's tables, if any: <table>.png and .svg each")
         .doc("what the picture shows");
     s.param("name", &PictureConfig::name)
         .example("inside")
@@ -65,6 +68,7 @@ class Pictures final : public Renderer {
     long size;
     Vec3 background;
     CurveNames columns;
+    std::optional<std::vector<Comparison>> comparisons;
   };
 
   static void describe(Schema<Config>& s) {
@@ -80,7 +84,7 @@ class Pictures final : public Renderer {
             "mode colours: Okabe and Ito");
     Json all = Json::array();
     for (const char* motif :
-         {"specimen", "cutaway", "cracks", "cracks_time", "displacement", "stress_strain", "strains"})
+         {"specimen", "cutaway", "cracks", "cracks_time", "displacement", "stress_strain", "strains", "tables"})
       all.push_back({{"show", motif}, {"colour_map", "automatic"}, {"cut", "quarter"}});
     s.param("pictures", &Config::pictures).items(1, 1000).fallback(all).doc("what to draw; one of each kind if absent");
     s.param("size", &Config::size).at_least(200).at_most(8000).fallback(1600)
@@ -93,16 +97,15 @@ class Pictures final : public Renderer {
                    {"damage", "global_damage"},
                    {"lateral_strain", "lateral_strain"}})
         .doc("columns of curves.csv, by header (`axial_stress_Pa`) or by name without the unit");
+    s.param("comparisons", &Config::comparisons).items(1, 1000)
+        .doc("what `breccia compare` draws of several runs; if absent `stress_strain`, `broken_tension`, `broken_shear` and "
+             "`global_damage` over the axial strain, as far as the runs have these columns");
     s.check([](const Config& c, Issues& issues) {
-      std::vector<std::string> names;
-      for (std::size_t k = 0; k < c.pictures.size(); ++k) {
-        const std::string name = file_name(c.pictures[k]), path = "pictures[" + std::to_string(k) + "]";
-        if (name.empty() || name.find('/') != name.npos)
-          issues.push_back({path + ".name", "`" + name + "` cannot be a file name"});
-        if (std::find(names.begin(), names.end(), name) != names.end())
-          issues.push_back({path, "a second picture named `" + name + "`: give one of them another `name`"});
-        names.push_back(name);
-      }
+      std::vector<std::string> pictures, comparisons;
+      for (const PictureConfig& p : c.pictures) pictures.push_back(file_name(p));
+      for (const Comparison& k : c.comparisons.value_or(std::vector<Comparison>{})) comparisons.push_back(k.file_name());
+      check_names("pictures", pictures, issues);
+      check_names("comparisons", comparisons, issues);
     });
   }
 
@@ -118,7 +121,7 @@ class Pictures final : public Renderer {
                       error.message());
 
     std::vector<fs::path> made;
-    std::string last_problem;
+    std::string last_problem = "the run has none of the data they need";
     for (std::size_t k = 0; k < config_.pictures.size(); ++k) {
       if (host.cancelled()) throw Cancelled();
       host.progress("pictures", double(k) / double(config_.pictures.size()));
@@ -134,10 +137,51 @@ class Pictures final : public Renderer {
     return made;
   }
 
+  std::vector<fs::path> compare(const ComparisonRequest& request, Host& host) override {
+    std::vector<LabelledCurves> runs;
+    for (const ComparisonRequest::Run& run : request.runs)
+      runs.push_back({run.label, CurvesFile(run.folder / "curves.csv")});
+    const Sheet sheet{int(config_.size), config_.background};
+    Canvas(16, 16, Vec3::Ones());
+    std::vector<std::pair<std::string, Chart>> charts;
+    for (const Comparison& c : config_.comparisons.value_or(usual_comparisons())) {
+      std::vector<std::string> missing;
+      try {
+        Chart chart = comparison_chart(runs, c, missing);
+        layout_of(chart, sheet);  // its complaints, too, before anything is written
+        charts.emplace_back(c.file_name(), std::move(chart));
+      } catch (const UserError& e) {
+        const std::string problem = "chart `" + c.file_name() + "` cannot be drawn: " + e.what();
+        if (config_.comparisons) throw UserError("renderer pictures: " + problem);
+        host.info(problem);
+        continue;
+      }
+      for (const std::string& label : missing)
+        host.warn("chart `" + c.file_name() + "` is without `" + label + "`, which lacks the column `" + c.x +
+                  "` or `" + c.y + "`");
+    }
+    std::vector<fs::path> made;
+    for (const auto& [name, chart] : charts) {
+      if (host.cancelled()) throw Cancelled();
+      write_chart(chart, sheet, request.directory / name, made);
+    }
+    return made;
+  }
+
  private:
+  static void check_names(const std::string& list, const std::vector<std::string>& names, Issues& issues) {
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const std::string path = list + "[" + std::to_string(k) + "]";
+      if (names[k].empty() || names[k].find('/') != std::string::npos)
+        issues.push_back({path + ".name", "`" + names[k] + "` cannot be a file name"});
+      if (std::find(names.begin(), names.begin() + std::ptrdiff_t(k), names[k]) != names.begin() + std::ptrdiff_t(k))
+        issues.push_back({path, "a second picture named `" + names[k] + "`: give one of them another `name`"});
+    }
+  }
+
   static std::string file_name(const PictureConfig& p) {
     constexpr const char* names[] = {"specimen",     "cutaway",       "cracks", "cracks_time",
-                                     "displacement", "stress_strain", "strains"};
+                                     "displacement", "stress_strain", "strains", "tables"};
     return p.name.value_or(names[int(p.show)]);
   }
 
@@ -153,7 +197,7 @@ class Pictures final : public Renderer {
   void draw(const PictureConfig& p, const Results& results, const fs::path& directory,
             std::vector<fs::path>& made) const {
     const Sheet sheet{int(config_.size), config_.background};
-    const fs::path png = directory / (file_name(p) + ".png"), svg = directory / (file_name(p) + ".svg");
+    const fs::path png = directory / (file_name(p) + ".png");
     switch (p.show) {
       case Motif::specimen:
       case Motif::cutaway:
@@ -174,15 +218,31 @@ class Pictures final : public Renderer {
         const CurvesFile curves(results.curves);
         const Chart chart = p.show == Motif::strains ? strains_chart(curves, config_.columns)
                                                      : stress_strain_chart(curves, config_.columns);
-        const ChartLayout layout = layout_of(chart, sheet);
-        write_png(chart, layout, sheet, png);
-        write_svg(chart, layout, sheet, svg);
-        made.push_back(png);
-        made.push_back(svg);
+        write_chart(chart, sheet, directory / file_name(p), made);
         return;
       }
+      case Motif::tables: return draw_tables(results.tables, directory, made);
     }
     made.push_back(png);
+  }
+
+  /// Tables of another shape are for other programs. One that is damaged does not keep the others from being drawn.
+  void draw_tables(const std::vector<fs::path>& tables, const fs::path& directory, std::vector<fs::path>& made) const {
+    const Sheet sheet{int(config_.size), config_.background};
+    std::string problems;
+    for (const fs::path& file : tables) {
+      const std::string name = file.stem().string();
+      try {
+        for (const PictureConfig& p : config_.pictures)
+          if (file_name(p) == name) throw UserError("another picture has the name of the table " + name);
+        const CurvesFile table(file);
+        if (is_rose(table)) write_rose(rose_of(table, name), sheet, directory / name, made);
+        else if (is_histogram(table)) write_chart(histogram_chart(table, name), sheet, directory / name, made);
+      } catch (const UserError& e) {
+        problems.append(problems.empty() ? "" : "; ").append(name + ": " + e.what());
+      }
+    }
+    if (!problems.empty()) throw UserError(problems);
   }
 
   Config config_;

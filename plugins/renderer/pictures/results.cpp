@@ -15,6 +15,7 @@
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUtilities.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "breccia/error.hpp"
@@ -75,10 +76,14 @@ Results find_results(const fs::path& source) {
     if (fs::exists(source / "particles.pvd")) r.particle_frames = read_collection(source / "particles.pvd");
     if (fs::exists(source / "bonds.pvd")) r.bond_frames = read_collection(source / "bonds.pvd");
     if (fs::exists(source / "curves.csv")) r.curves = source / "curves.csv";
-    if (r.particle_frames.empty() && r.bond_frames.empty() && r.curves.empty())
+    if (fs::is_directory(source / "tables"))
+      for (const auto& entry : fs::directory_iterator(source / "tables"))
+        if (entry.path().extension() == ".csv") r.tables.push_back(entry.path());
+    std::sort(r.tables.begin(), r.tables.end());
+    if (r.particle_frames.empty() && r.bond_frames.empty() && r.curves.empty() && r.tables.empty())
       throw UserError("renderer pictures: " + source.string() +
                       " holds no results: neither particles.pvd nor bonds.pvd nor "
-                      "curves.csv is there");
+                      "curves.csv nor tables are there");
     return r;
   }
   if (!fs::exists(source)) throw UserError("renderer pictures: " + source.string() + " does not exist");

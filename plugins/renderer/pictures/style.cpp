@@ -56,6 +56,23 @@ Rgb writing_on(const Vec3& background) {
   return dark ? Rgb{235, 235, 235} : ink;
 }
 
+Rgb bytes_of(const Vec3& colour) {
+  Rgb c;
+  for (int k = 0; k < 3; ++k) c[std::size_t(k)] = static_cast<unsigned char>(std::lround(255 * colour[k]));
+  return c;
+}
+
+LineStyle dashed(const Rgb& colour) { return {colour, LineStyle::thin, {1.2, 0.7}}; }
+
+LineStyle series_style(std::size_t k) {
+  // Okabe and Ito without yellow, which is too pale for a line on white.
+  static constexpr Rgb colours[] = {blue, vermillion, green, {204, 121, 167}, {230, 159, 0}, {86, 180, 233}, ink};
+  static const std::vector<double> dashes[] = {{}, {2.4, 1.0}, {0.6, 0.8}, {2.4, 0.8, 0.6, 0.8}, {4.5, 1.2}};
+  static constexpr Marker markers[] = {Marker::circle, Marker::square, Marker::triangle_up, Marker::diamond,
+                                       Marker::triangle_down, Marker::none};
+  return {colours[k % 7], 0.45, dashes[k % 5], markers[k % 6]};
+}
+
 vtkSmartPointer<vtkLookupTable> lookup_table(ColourMap map, double low, double high) {
   const auto colours = anchors(map);
   auto table = vtkSmartPointer<vtkLookupTable>::New();
@@ -92,7 +109,12 @@ void set_type(vtkTextProperty* text, int size, const Rgb& colour, bool bold) {
 
 ShownUnit shown_unit(const std::string& unit, double largest) {
   if (unit.empty() || unit == "1") return {};
-  // A prefix goes with units that begin with a plain metre, second, pascal, newton or joule, not with powers of them.
+  if ((unit == "m2" || unit == "m3") && largest > 0) {
+    const bool square = unit == "m2";
+    const ShownUnit side = shown_unit("m", square ? std::sqrt(largest) : std::cbrt(largest));
+    return {std::pow(side.factor, square ? 2 : 3), side.unit + (square ? "²" : "³")};
+  }
+  // A prefix goes with units that begin with a plain metre, second, pascal, newton or joule.
   const bool plain =
       unit == "Pa" || unit == "N" || unit == "J" || unit == "m" || unit == "s" || unit == "m/s" || unit == "N m";
   if (!plain || !(largest > 0) || !std::isfinite(largest)) return {1, unit};

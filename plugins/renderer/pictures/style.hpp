@@ -20,6 +20,27 @@ using Rgb = std::array<unsigned char, 3>;
 /// Okabe and Ito's colours, told apart by colour-blind readers too.
 constexpr Rgb blue{0, 114, 178}, vermillion{213, 94, 0}, green{0, 158, 115}, ink{38, 38, 38};
 
+/// The areas of histograms, paler than their blue outlines.
+constexpr Rgb bar_fill{153, 199, 224};
+
+enum class Marker { none, circle, square, triangle_up, diamond, triangle_down };
+
+/// Lengths are in hundredths of a chart's height.
+struct LineStyle {
+  static constexpr double full = 0.55, thin = 0.4;
+  Rgb colour = ink;
+  double width = full;
+  std::vector<double> dashes = {};   ///< lengths of line and gap in turn; empty: a full line
+  Marker marker = Marker::none;
+};
+LineStyle dashed(const Rgb& colour);
+/// The k-th of several curves: colour, dashes and marker change together, so that black-and-white print keeps them
+/// apart. No two of the first 210 are alike.
+LineStyle series_style(std::size_t k);
+
+/// The 0 to 255 form of a colour given in 0 to 1.
+Rgb bytes_of(const Vec3& colour);
+
 /// The colour of text and lines on a background (red, green, blue in 0 to 1).
 Rgb writing_on(const Vec3& background);
 
@@ -31,7 +52,8 @@ vtkSmartPointer<vtkLookupTable> lookup_table(ColourMap map, double low, double h
 /// DejaVu Sans, which has Greek letters; VTK's own sans serif when it is not installed.
 void set_type(vtkTextProperty* text, int size, const Rgb& colour, bool bold = false);
 
-/// The factor and the unit with the prefix that bring numbers up to `largest` into 1 to 1000.
+/// The factor and the unit with the prefix that bring numbers up to `largest` into 1 to 1000; for areas and volumes, the
+/// side of a square or cube of that size.
 struct ShownUnit {
   double factor = 1;
   std::string unit;  ///< empty for a pure number

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Sums and loops whose result does not depend on the number of threads.
+/// Sums and loops whose result does not depend on the number of threads. Needs OpenMP in the plugin that includes it.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
-namespace breccia::labra_onate {
+namespace breccia {
 
 /// f(k) for k = 0..n-1, each writing only what is its own.
 template <class F> void for_all(std::size_t n, int threads, F&& f) {
@@ -30,4 +30,4 @@ template <class F> double ordered_sum(std::size_t n, int threads, F&& f) {
   return total;
 }
 
-}  // namespace breccia::labra_onate
+}  // namespace breccia

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/compare.hpp"
+
+#include <algorithm>
+
+#include "cli/console.hpp"
+#include "cli/verbs.hpp"
+#include "config/reader.hpp"
+
+namespace breccia::cli {
+namespace {
+
+struct ChartConfig {
+  PluginChoice renderer;
+  static void describe(Schema<ChartConfig>& s) {
+    s.param("renderer", &ChartConfig::renderer).kind("renderer").doc("settings of the renderer");
+  }
+};
+
+/// None when the user named no renderer and this installation has no pictures.
+std::optional<PluginChoice> charts(const CompareArguments& a, const Registry& registry, Host& host) {
+  std::string type = a.renderer;
+  if (type.empty()) {
+    type = "pictures";
+    const std::vector<std::string> names = registry.names("renderer");
+    if (std::find(names.begin(), names.end(), type) == names.end()) {
+      if (!a.overrides.empty()) throw UserError("--set has no effect: the renderer `pictures` is not installed");
+      host.warn("no charts: the renderer `pictures` is not installed");
+      return {};
+    }
+  }
+  Schema<ChartConfig> schema;
+  ChartConfig::describe(schema);
+  std::vector<std::string> overrides;
+  for (const std::string& o : a.overrides) overrides.push_back("renderer." + o);
+  return schema.load(read_config("renderer: {type: " + type + "}\n", "--renderer", schema.documentation().root, registry, overrides))
+      .renderer;
+}
+
+}  // namespace
+
+int compare(const CompareArguments& a) {
+  Console console(1);
+  const std::vector<ComparedRun> runs = read_runs(a.folders, a.labels);
+  Registry registry;
+  const auto made = compare_runs(runs, {a.output, a.overwrite, charts(a, registry, console)}, registry, console);
+  for (const auto& file : made) console.info("made " + file.string());
+  return ok;
+}
+
+}  // namespace breccia::cli

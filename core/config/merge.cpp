@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "config/merge.hpp"
+
+#include <algorithm>
+
+namespace breccia {
+
+namespace {
+
+/// Drops from `below` the alternatives to what `above` gives.
+void drop_alternatives(const ParamSpec& group, YamlNode& below, const YamlNode& above) {
+  const auto drop = [&](const std::vector<std::string>& names) {
+    const auto is_given = [&](const std::string& name) { return above.find(name) != nullptr; };
+    if (std::none_of(names.begin(), names.end(), is_given)) return;
+    std::erase_if(below.entries, [&](const YamlEntry& entry) {
+      return !is_given(entry.key) && std::find(names.begin(), names.end(), entry.key) != names.end();
+    });
+  };
+  std::for_each(group.exactly_one_of.begin(), group.exactly_one_of.end(), drop);
+  std::for_each(group.at_most_one_of.begin(), group.at_most_one_of.end(), drop);
+}
+
+const std::string* plugin_type(const YamlNode& section) {
+  const YamlEntry* type = section.find("type");
+  return type && type->value->kind == YamlNode::Kind::scalar ? &type->value->text : nullptr;
+}
+
+class Merger {
+ public:
+  explicit Merger(const PluginDirectory& plugins) : plugins_(plugins) {}
+
+  /// `spec` is nullptr where the schema knows nothing: below free forms and unknown keys.
+  YamlPtr merge(const ParamSpec* spec, const YamlPtr& below, const YamlPtr& above) const {
+    if (above->kind != YamlNode::Kind::mapping || below->kind == YamlNode::Kind::null) return above;
+    const bool is_plugin = spec && spec->type == ParamType::plugin;
+    const bool is_section = is_plugin || (spec && spec->type == ParamType::group);
+    // A section that is no mapping stays, so that the reader reports it where it was written.
+    if (below->kind != YamlNode::Kind::mapping) return is_section ? below : above;
+    if (!is_plugin) return merge_entries(is_section ? spec : nullptr, *below, *above);
+    const std::string* type_below = plugin_type(*below);
+    const std::string* type = plugin_type(*above);
+    if (type && type_below && *type != *type_below) return above;
+    if (!type) type = type_below;
+    return merge_entries(type ? plugin_group(spec->plugin_kind, *type) : nullptr, *below, *above);
+  }
+
+ private:
+  YamlPtr merge_entries(const ParamSpec* group, const YamlNode& below, const YamlNode& above) const {
+    auto merged = std::make_shared<YamlNode>(below);
+    merged->place = above.place;
+    if (group) drop_alternatives(*group, *merged, above);
+    for (const YamlEntry& entry : above.entries) {
+      const auto old = std::find_if(merged->entries.begin(), merged->entries.end(),
+                                    [&](const YamlEntry& e) { return e.key == entry.key; });
+      if (old == merged->entries.end()) merged->entries.push_back(entry);
+      else *old = {entry.key, entry.place, merge(member_of(group, entry.key), old->value, entry.value)};
+    }
+    return merged;
+  }
+
+  static const ParamSpec* member_of(const ParamSpec* group, const std::string& name) {
+    if (!group) return nullptr;
+    const auto found = std::find_if(group->members.begin(), group->members.end(),
+                                    [&](const ParamSpec& member) { return member.name == name; });
+    return found == group->members.end() ? nullptr : &*found;
+  }
+
+  const ParamSpec* plugin_group(const std::string& kind, const std::string& name) const {
+    try {
+      return &plugins_.documentation(kind, name).root;
+    } catch (const UserError&) {
+      return nullptr;  // reported where the section is read
+    }
+  }
+
+  const PluginDirectory& plugins_;
+};
+
+}  // namespace
+
+YamlPtr merge(const ParamSpec& spec, const YamlPtr& below, const YamlPtr& above, const PluginDirectory& plugins) {
+  return Merger(plugins).merge(&spec, below, above);
+}
+
+}  // namespace breccia

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/compare.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include "output/atomic_file.hpp"
+
+namespace breccia {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Without a trailing slash, so that it has a name.
+fs::path plain(const fs::path& folder) {
+  const fs::path p = fs::weakly_canonical(fs::absolute(folder));
+  return p.has_filename() ? p : p.parent_path();
+}
+
+Json read_summary(const fs::path& folder) {
+  const std::string name = folder.string();
+  if (!fs::exists(folder)) throw UserError("cannot read " + name + ": no such folder");
+  if (!fs::is_directory(folder)) throw UserError(name + " is a file; the result folder of a run is needed");
+  const fs::path file = folder / "summary.json";
+  if (!fs::exists(file)) {
+    if (fs::exists(folder / "curves.csv.partial") || fs::exists(folder / "run.log"))
+      throw UserError("the run in " + name + " has not finished: there is no summary.json yet");
+    throw UserError(name + " is not the result folder of a run: it has no summary.json");
+  }
+  if (!fs::exists(folder / "curves.csv")) throw UserError(name + " is not a whole result folder: it has no curves.csv");
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw UserError("cannot read " + file.string() + ": no permission");
+  const Json summary = Json::parse(in, nullptr, false);
+  if (!summary.is_object()) throw UserError(file.string() + " is damaged: it is not a JSON object");
+  return summary;
+}
+
+template <class Name> void rename_repeated(std::vector<std::string>& labels, Name&& name) {
+  const std::vector<std::string> before = labels;
+  for (std::size_t k = 0; k < labels.size(); ++k)
+    if (std::count(before.begin(), before.end(), before[k]) > 1) labels[k] = name(k);
+}
+
+std::vector<std::string> folder_labels(const std::vector<fs::path>& folders) {
+  std::vector<std::string> labels;
+  for (const fs::path& f : folders) labels.push_back(plain(f).filename().string());
+  rename_repeated(labels, [&](std::size_t k) {
+    return plain(folders[k]).parent_path().filename().string() + "/" + labels[k];
+  });
+  return labels;
+}
+
+/// "a", "a" become "a (1)", "a (2)"; a number that would make another label is passed over.
+void number_repeated(std::vector<std::string>& labels) {
+  const std::vector<std::string> given = labels;
+  rename_repeated(labels, [&](std::size_t k) {
+    for (std::size_t n = 1;; ++n) {
+      const std::string name = given[k] + " (" + std::to_string(n) + ")";
+      if (std::find(labels.begin(), labels.end(), name) == labels.end()) return name;
+    }
+  });
+}
+
+void check_folder(const std::vector<ComparedRun>& runs, const ComparisonOptions& options) {
+  const fs::path& folder = options.folder;
+  for (const ComparedRun& run : runs)
+    if (plain(run.folder) == plain(folder))
+      throw UserError("the comparison cannot go to " + folder.string() + ", which is one of the runs: choose another folder "
+                      "with --output");
+  if (!fs::exists(folder)) return;
+  if (!fs::is_directory(folder)) throw UserError("cannot write the comparison to " + folder.string() + ": it is a file");
+  if (fs::is_empty(folder)) return;
+  if (!options.overwrite)
+    throw UserError("the folder " + folder.string() + " already holds files; nothing was changed. Choose another with "
+                    "--output, or allow files of the same names to be replaced with --overwrite");
+  if (fs::exists(folder / "summary.json") || fs::exists(folder / "resolved.yaml"))
+    throw UserError("the folder " + folder.string() + " holds the results of a run, whose pictures would be replaced: "
+                    "choose another with --output");
+}
+
+std::vector<fs::path> draw(const std::vector<ComparedRun>& runs, const ComparisonOptions& options, const Registry& registry,
+                           Host& host) {
+  if (!options.renderer) return {};
+  ComparisonRequest request{{}, options.folder};
+  for (const ComparedRun& run : runs) request.runs.push_back({run.folder, run.label});
+  try {
+    return registry.create<Renderer>(*options.renderer)->compare(request, host);
+  } catch (const Unavailable& e) {
+    host.warn("no charts by renderer `" + options.renderer->type + "`: " + e.what());
+    return {};
+  }
+}
+
+}  // namespace
+
+std::vector<ComparedRun> read_runs(const std::vector<fs::path>& folders, const std::vector<std::string>& labels) {
+  if (!labels.empty() && labels.size() != folders.size())
+    throw UserError(std::to_string(labels.size()) + (labels.size() == 1 ? " label" : " labels") + " for " +
+                    std::to_string(folders.size()) + (folders.size() == 1 ? " run" : " runs") +
+                    ": give one --labels for each folder, in the same order, or none");
+  std::vector<ComparedRun> runs;
+  for (const fs::path& folder : folders) runs.push_back({folder, "", read_summary(folder)});
+  std::vector<std::string> names = labels.empty() ? folder_labels(folders) : labels;
+  number_repeated(names);
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    if (names[k].empty()) throw UserError("the label of " + folders[k].string() + " is empty: name it with --labels");
+    runs[k].label = names[k];
+    const auto it = runs[k].summary.find("interrupted");
+    runs[k].interrupted = it != runs[k].summary.end() && *it == true;
+  }
+  return runs;
+}
+
+std::vector<fs::path> compare_runs(const std::vector<ComparedRun>& runs, const ComparisonOptions& options,
+                                   const Registry& registry, Host& host) {
+  check_folder(runs, options);
+  for (const ComparedRun& run : runs)
+    if (run.interrupted) host.warn("the run `" + run.label + "` was stopped before its end: its last values are not final");
+  std::error_code error;
+  const bool is_new = fs::create_directories(options.folder, error);
+  if (error) throw UserError("cannot make the folder " + options.folder.string() + ": " + error.message());
+  try {
+    std::vector<fs::path> made = draw(runs, options, registry, host);
+    const std::string text = comparison_markdown(runs, made);
+    write_file(options.folder / "comparison.csv", comparison_csv(runs));
+    write_file(options.folder / "comparison.md", text);
+    made.insert(made.begin(), {options.folder / "comparison.csv", options.folder / "comparison.md"});
+    return made;
+  } catch (...) {
+    if (is_new) fs::remove(options.folder, error);  // only when nothing was put into it
+    throw;
+  }
+}
+
+}  // namespace breccia

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Packing of spheres with exactly given radii by collective rearrangement.
+#include <cmath>
+#include <cstdio>
+
+#include "breccia/plugin.hpp"
+#include "cut.hpp"
+#include "mesh_region.hpp"
+#include "report.hpp"
+
+namespace breccia::collective_rearrangement {
+
+namespace {
+
+template <class... A> std::string text(const char* format, A... a) {
+  char buffer[500];
+  std::snprintf(buffer, sizeof buffer, format, a...);
+  return buffer;
+}
+
+std::size_t number_for(double porosity, const RadiusLaw& law, double measure, int dimension) {
+  constexpr std::size_t samples = 10000;
+  const double each = solid_measure(quantile_radii(law, samples), dimension) / samples;
+  const double wanted = (1 - porosity) * measure / each;
+  if (wanted > 50e6)
+    throw UserError(text("this porosity takes %.3g particles, more than 50 million: use larger radii", wanted));
+  return std::size_t(std::max(1.0, std::round(wanted)));
+}
+
+}  // namespace
+
+class CollectiveRearrangement final : public Packing {
+ public:
+  using Config = collective_rearrangement::Config;
+
+  static void describe(Schema<Config>& s) {
+    s.summary("Packing of spheres with exactly the radii given, by collective rearrangement of overlapping spheres")
+        .source("force-biased algorithm: Mościński & Bargieł (1991), Comput. Phys. Commun. 64, 183-192; after Jodrey & "
+                "Tory (1985), Phys. Rev. A 32, 2347; Rojek et al. (2012), section 5.1")
+        .details(
+            "Spheres are strewn at random with 60 % of their radii, which then grow in steps; at each size all overlapping "
+            "pairs push each other apart until the energy 1/2 sum (1 - d/s)^2, s = r_i + r_j, is least. The radii end as "
+            "they were asked for, to the last bit. Down to the density at which such a packing jams no overlap is left; "
+            "beyond it the overlaps are spread evenly, and `overlap_tolerance` says how large the largest may be. Number and radii "
+            "fix the porosity, so only one of particles and porosity is given. With a margin the packing is made larger "
+            "and the specimen cut out of it, so that no layers form along the walls: spheres belong to it when their "
+            "centres do. In two dimensions the particles are discs.");
+    s.param("container", &Config::container).doc("the space to be filled");
+    s.param("mesh", &Config::mesh).doc("a closed surface that is filled instead");
+    s.param("radius", &Config::radius).doc("of the particles");
+    s.param("particles", &Config::particles).at_least(1).at_most(50e6).example("5868").doc("how many");
+    s.param("porosity", &Config::porosity).above(0).below(1).example("0.40")
+        .doc("void fraction, overlaps counted twice: the number of particles that comes nearest to it is packed");
+    s.param("margin", &Config::margin).unit("m").at_least(0).fallback(0.0).example("2 mm")
+        .doc("pack a space larger by this all round, and cut the specimen out of it");
+    s.param("flat_ends", &Config::flat_ends).fallback(true)
+        .doc("with a margin: leave the ends of a cylinder or box where they are, so that platens find spheres that touch them");
+    s.param("overlap_tolerance", &Config::overlap_tolerance).above(0).at_most(0.5).fallback(1e-3)
+        .doc("largest overlap allowed in the packing, over the sum of the radii; a denser packing is refused");
+    s.param("max_iterations", &Config::max_iterations).at_least(1).at_most(1000000).fallback(5000)
+        .doc("largest number of steps at the final size");
+    s.param("tolerance", &Config::tolerance).above(0).below(1).fallback(2e-3)
+        .doc("ends when fifty steps lower the energy by less than this share");
+    s.exactly_one_of({"container", "mesh"});
+    s.exactly_one_of({"particles", "porosity"});
+    s.check([](const Config& c, Issues& issues) {
+      std::optional<Container> box;
+      try {
+        if (c.container) box = c.container->make();
+      } catch (const UserError& e) {
+        issues.push_back({"container", e.what()});
+      }
+      try {
+        const RadiusLaw law = c.radius.law();
+        if (box && law.max > box->largest_radius())
+          issues.push_back({"radius", "the largest radius does not fit into the container"});
+      } catch (const UserError& e) {
+        issues.push_back({"radius", e.what()});
+      }
+    });
+  }
+
+  explicit CollectiveRearrangement(const Config& config) : config_(config) {}
+
+  std::vector<std::filesystem::path> inputs() const override {
+    if (!config_.mesh) return {};
+    return {config_.mesh->file};
+  }
+
+  PackedParticles generate(const PackingRequest& request, Host& host) override {
+    const int dimension = request.dimension;
+    const std::unique_ptr<Region> region = make_region(dimension);
+    const RadiusLaw law = config_.radius.law();
+    const std::size_t wanted = config_.particles ? std::size_t(*config_.particles)
+                                                 : number_for(*config_.porosity, law, region->measure(), dimension);
+    const bool ends = !config_.flat_ends;
+    const std::unique_ptr<Region> larger = config_.margin > 0 ? region->grown(config_.margin, ends) : nullptr;
+    const double enlarged = larger ? larger->measure() / region->measure() : 1.0;
+    const auto packed_number = std::size_t(std::llround(double(wanted) * enlarged));
+    std::vector<double> radii = quantile_radii(law, packed_number);
+    if (radii.back() > region->largest_radius())
+      throw UserError(text("the largest particle, of radius %.4g m, does not fit into the space to be filled", radii.back()));
+    const double solid = solid_measure(radii, dimension);
+    if (solid > 0.95 * (larger ? *larger : *region).measure())
+      throw UserError(text("%zu particles of these radii have %.3g of the volume to be filled: use fewer or smaller ones",
+                           packed_number, solid / (larger ? *larger : *region).measure()));
+
+    Settings settings{int(config_.max_iterations), config_.tolerance, std::max(1, host.threads())};
+    Rearrangement rearrangement(larger ? *larger : *region, std::move(radii), request.seed, settings, host);
+    const Outcome outcome = rearrangement.run();
+    if (!outcome.converged)
+      host.warn("the packing still improved when max_iterations was reached: raise it for a better one");
+    Cut cut{rearrangement.spheres(), Vec3::Zero()};
+    if (larger)
+      cut = cut_out(cut.spheres, *region, config_.margin, ends, dimension, wanted, solid / enlarged, request.seed);
+
+    const Quality q = measure(cut.spheres, region->measure(), dimension);
+    host.info(text("packed %zu particles: porosity %.4f, %.2f contacts each, overlaps up to %.3g %% of the sum of the radii",
+                   cut.spheres.size(), q.porosity, q.contacts, 100 * q.max_overlap));
+    if (q.max_overlap > config_.overlap_tolerance)
+      throw UserError(text("spheres of these radii cannot be packed so densely: the best packing found, with a porosity of "
+                           "%.2f %%, has overlaps of %.3g %% of the sum of the radii at most and %.3g %% on average. Ask "
+                           "for fewer particles or more porosity, or allow these overlaps with overlap_tolerance",
+                           100 * q.porosity, 100 * q.max_overlap, 100 * q.mean_overlap));
+    PackedParticles packed;
+    packed.report = report(q, law, wanted, cut.spheres.size(), packed_number, outcome);
+    packed.position = std::move(cut.spheres.x);
+    packed.radius = std::move(cut.spheres.r);
+    packed.outline = region->outline();
+    packed.axis = region->axis();
+    packed.container_volume = region->measure() * (dimension == 2 ? request.thickness : 1.0);
+    return packed;
+  }
+
+ private:
+  std::unique_ptr<Region> make_region(int dimension) const {
+    if (!config_.mesh) return std::make_unique<ContainerRegion>(config_.container->make(dimension));
+    if (dimension == 2) throw UserError("a mesh cannot be packed in two dimensions: use a container");
+    return read_mesh(*config_.mesh);
+  }
+
+  std::vector<AskedGot> report(const Quality& q, const RadiusLaw& law, std::size_t wanted, std::size_t got,
+                               std::size_t packed, const Outcome& outcome) const {
+    std::vector<AskedGot> lines = {
+        {"particles", "1", double(wanted), double(got)},
+        {"porosity", "1", config_.porosity, q.porosity},
+        {"radius_mean", "m", law.mean, q.radius_mean},
+        {"radius_standard_deviation", "m", law.standard_deviation, q.radius_deviation},
+        {"radius_min", "m", law.min, q.radius_min},
+        {"radius_max", "m", law.max, q.radius_max},
+        {"contacts_per_particle", "1", std::nullopt, q.contacts},
+        {"mean_overlap", "1", std::nullopt, q.mean_overlap},
+        {"max_overlap", "1", config_.overlap_tolerance, q.max_overlap},
+        {"fabric_xx", "1", std::nullopt, q.fabric.x()},
+        {"fabric_yy", "1", std::nullopt, q.fabric.y()},
+        {"fabric_zz", "1", std::nullopt, q.fabric.z()},
+        {"iterations", "1", std::nullopt, double(outcome.iterations)},
+    };
+    if (config_.margin > 0) lines.push_back({"particles_before_cutting", "1", std::nullopt, double(packed)});
+    return lines;
+  }
+
+  Config config_;
+};
+
+}  // namespace breccia::collective_rearrangement
+
+BRECCIA_PLUGIN(breccia::collective_rearrangement::CollectiveRearrangement, "packing", "collective_rearrangement")

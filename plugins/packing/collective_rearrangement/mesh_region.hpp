@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The inside of a closed surface mesh.
+#pragma once
+
+#include "config.hpp"
+#include "region.hpp"
+
+namespace breccia::collective_rearrangement {
+
+/// UserError when the file cannot be read or its surface is not closed, and where Breccia was built without VTK.
+std::unique_ptr<Region> read_mesh(const MeshConfig& config);
+
+}  // namespace breccia::collective_rearrangement

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rearrangement.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+
+#include "breccia/cell_grid.hpp"
+#include "breccia/packing_tools/parallel.hpp"
+
+namespace breccia::collective_rearrangement {
+
+namespace {
+constexpr double start_scale = 0.6, scale_step = 0.05;   // of the radii: below 0.6 random places hardly overlap for long
+constexpr int growth_iterations = 400;
+constexpr double growth_tolerance = 1e-2;
+constexpr double longest_move = 0.2;                     // of a centre in one iteration, in radii
+constexpr double no_overlap = 1e-10;                     // energy per sphere at which there is nothing left to do
+constexpr int check_every = 50;
+// FIRE, in units in which the stiffest mode has a frequency of order one.
+constexpr double first_step = 0.1, longest_step = 1.0, mixing_start = 0.1;
+
+/// Uniform in [0, 1), the same on every platform, unlike std::uniform_real_distribution.
+double uniform(std::mt19937_64& generator) { return double(generator() >> 11) * 0x1p-53; }
+}  // namespace
+
+Rearrangement::Rearrangement(const Region& region, std::vector<double> radii, std::uint64_t seed,
+                             const Settings& settings, Host& host)
+    : region_(region), settings_(settings), host_(host) {
+  // The largest first, so that the order of the particles says nothing of where they are.
+  s_.r = std::move(radii);
+  std::sort(s_.r.begin(), s_.r.end(), std::greater<>());
+  std::mt19937_64 generator(seed);
+  for (const double r : s_.r) {
+    const double a = uniform(generator), b = uniform(generator), c = uniform(generator);
+    s_.x.push_back(region_.place(r, a, b, c));
+  }
+  const std::size_t n = s_.size();
+  velocity_.assign(n, Vec3::Zero());
+  force_.assign(n, Vec3::Zero());
+  energy_of_.assign(n, 0.0);
+  skin_ = 0.2 * std::accumulate(s_.r.begin(), s_.r.end(), 0.0) / double(n);
+  find_neighbours();
+}
+
+Outcome Rearrangement::run() {
+  Outcome all;
+  for (double scale = start_scale; scale < 1 - 0.5 * scale_step; scale += scale_step) {
+    host_.progress("packing", 0.5 * (scale - start_scale) / (1 - start_scale));
+    all.iterations += relax(scale, growth_iterations, growth_tolerance).iterations;
+  }
+  const Outcome last = relax(1.0, settings_.max_iterations, settings_.tolerance);
+  host_.progress("packing", 1);
+  return {last.converged, all.iterations + last.iterations};
+}
+
+Outcome Rearrangement::relax(double scale, int max_iterations, double tolerance) {
+  const std::size_t n = s_.size();
+  double step = first_step, mixing = mixing_start;
+  int downhill = 0;
+  std::fill(velocity_.begin(), velocity_.end(), Vec3::Zero());
+  forces(scale);
+  double before = energy_;
+  for (int k = 1; k <= max_iterations; ++k) {
+    if (host_.cancelled()) throw Cancelled();
+    if (energy_ <= no_overlap * double(n)) return {true, std::size_t(k)};
+    const double power = ordered_sum(n, settings_.threads, [&](std::size_t i) { return force_[i].dot(velocity_[i]); });
+    double ratio = 0;
+    if (power < 0) {
+      std::fill(velocity_.begin(), velocity_.end(), Vec3::Zero());
+      step *= 0.5;
+      mixing = mixing_start;
+      downhill = 0;
+    } else {
+      const double vv = ordered_sum(n, settings_.threads, [&](std::size_t i) { return velocity_[i].squaredNorm() / (s_.r[i] * s_.r[i]); });
+      const double ff = ordered_sum(n, settings_.threads, [&](std::size_t i) { return force_[i].squaredNorm() * s_.r[i] * s_.r[i]; });
+      ratio = ff > 0 ? std::sqrt(vv / ff) : 0;
+      if (++downhill > 5) {
+        step = std::min(1.1 * step, longest_step);
+        mixing *= 0.99;
+      }
+    }
+    if (advance(step, mixing, ratio)) find_neighbours();
+    forces(scale);
+    if (k % check_every == 0) {
+      if (before - energy_ < tolerance * before) return {true, std::size_t(k)};
+      before = energy_;
+      if (scale == 1) host_.progress("packing", 0.5 + 0.5 * double(k) / max_iterations);
+    }
+  }
+  return {energy_ <= no_overlap * double(n), std::size_t(max_iterations)};
+}
+
+/// One step of motion; true when the neighbours may no longer be all.
+bool Rearrangement::advance(double step, double mixing, double ratio) {
+  const std::size_t n = s_.size();
+  for_all(n, settings_.threads, [&](std::size_t i) {
+    const double r = s_.r[i], mobility = r * r;
+    Vec3& v = velocity_[i];
+    v = (1 - mixing) * v + (mixing * ratio + step) * mobility * force_[i];
+    Vec3 d = step * v;
+    const double length = d.norm();
+    if (length > longest_move * r) d *= longest_move * r / length;
+    const Vec3 wanted = s_.x[i] + d, got = region_.confine(wanted, r);
+    // What the wall took from the motion it takes from the velocity: no pressing on against it.
+    const Vec3 push = got - wanted;
+    const double size = push.norm();
+    if (size > 1e-12 * r) {
+      const Vec3 inward = push / size;
+      const double outward = std::min(0.0, v.dot(inward));
+      v -= outward * inward;
+    }
+    s_.x[i] = got;
+  });
+  double farthest = 0;
+  for (std::size_t i = 0; i < n; ++i) farthest = std::max(farthest, (s_.x[i] - listed_at_[i]).squaredNorm());
+  return farthest > 0.25 * skin_ * skin_;
+}
+
+void Rearrangement::find_neighbours() {
+  const std::size_t n = s_.size();
+  listed_at_ = s_.x;
+  near_.resize(n);
+  const CellGrid grid(listed_at_, 2 * s_.r.front() + skin_);
+  for_all(n, settings_.threads, [&](std::size_t i) {
+    near_[i].clear();
+    grid.for_each_near(s_.x[i], [&](Index j) {
+      const double limit = s_.r[i] + s_.r[j] + skin_;
+      if (j != i && (s_.x[i] - s_.x[j]).squaredNorm() < limit * limit) near_[i].push_back(j);
+    });
+    std::sort(near_[i].begin(), near_[i].end());
+  });
+}
+
+/// Each sphere adds up its own pairs in a fixed order: every pair is met twice, and no result depends on the threads.
+void Rearrangement::forces(double scale) {
+  for_all(s_.size(), settings_.threads, [&](std::size_t i) {
+    Vec3 force = Vec3::Zero();
+    double energy = 0;
+    for (const Index j : near_[i]) {
+      const double s = scale * (s_.r[i] + s_.r[j]);
+      const Vec3 d = s_.x[i] - s_.x[j];
+      const double square = d.squaredNorm();
+      if (square >= s * s || square == 0) continue;
+      const double distance = std::sqrt(square), overlap = 1 - distance / s;
+      energy += 0.25 * overlap * overlap;
+      force += d * (overlap / (s * distance));
+    }
+    force_[i] = force;
+    energy_of_[i] = energy;
+  });
+  energy_ = ordered_sum(s_.size(), settings_.threads, [&](std::size_t i) { return energy_of_[i]; });
+}
+
+}  // namespace breccia::collective_rearrangement

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Spheres of given radii pushed apart, all at once, until they overlap as little as they can.
+///
+/// Energy: 1/2 sum over overlapping pairs of (1 - d/s)^2, s = r_i + r_j. The radii grow from a fraction in steps; at each
+/// size the energy is minimised with FIRE (Bitzek et al. 2006, Phys. Rev. Lett. 97, 170201), each sphere with a mass of
+/// 1/r^2, so that small and large ones move at the same pace measured in their own radii. Walls are rigid.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "breccia/services.hpp"
+#include "region.hpp"
+
+namespace breccia::collective_rearrangement {
+
+struct Spheres {
+  std::vector<Vec3> x;     // [m]
+  std::vector<double> r;   // [m]
+  std::size_t size() const { return r.size(); }
+};
+
+struct Settings {
+  int max_iterations = 0;   ///< at the final size
+  double tolerance = 0;     ///< ends when 50 iterations lower the energy by less than this share
+  int threads = 1;
+};
+
+struct Outcome {
+  bool converged = false;
+  std::size_t iterations = 0;
+};
+
+class Rearrangement {
+ public:
+  Rearrangement(const Region& region, std::vector<double> radii, std::uint64_t seed, const Settings& settings, Host& host);
+  Outcome run();
+  const Spheres& spheres() const { return s_; }
+
+ private:
+  Outcome relax(double scale, int max_iterations, double tolerance);
+  void find_neighbours();
+  void forces(double scale);
+  bool advance(double step, double mixing, double ratio);
+
+  const Region& region_;
+  Settings settings_;
+  Host& host_;
+  Spheres s_;
+  std::vector<Vec3> velocity_, force_, listed_at_;
+  std::vector<std::vector<Index>> near_;
+  std::vector<double> energy_of_;
+  double energy_ = 0, skin_ = 0;
+};
+
+}  // namespace breccia::collective_rearrangement

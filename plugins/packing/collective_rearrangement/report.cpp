@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "breccia/cell_grid.hpp"
+
+namespace breccia::collective_rearrangement {
+
+double solid_measure(const std::vector<double>& radii, int dimension) {
+  double sum = 0;
+  for (const double r : radii) sum += dimension == 2 ? r * r : r * r * r;
+  return sum * (dimension == 2 ? std::numbers::pi : 4 * std::numbers::pi / 3);
+}
+
+Quality measure(const Spheres& s, double region_measure, int dimension) {
+  Quality q;
+  q.porosity = 1 - solid_measure(s.r, dimension) / region_measure;
+  q.radius_mean = detail::mean_of(s.r);
+  q.radius_deviation = detail::deviation_of(s.r);
+  q.radius_min = *std::min_element(s.r.begin(), s.r.end());
+  q.radius_max = *std::max_element(s.r.begin(), s.r.end());
+  std::size_t pairs = 0;
+  CellGrid(s.x, 2 * q.radius_max).for_each_pair([&](Index i, Index j) {
+    const Vec3 d = s.x[j] - s.x[i];
+    const double overlap = 1 - d.norm() / (s.r[i] + s.r[j]);
+    if (!(overlap > 0)) return;
+    ++pairs;
+    q.mean_overlap += overlap;
+    q.max_overlap = std::max(q.max_overlap, overlap);
+    if (d.squaredNorm() > 0) q.fabric += d.cwiseAbs2() / d.squaredNorm();
+  });
+  q.contacts = 2 * double(pairs) / double(s.size());
+  if (pairs > 0) {
+    q.mean_overlap /= double(pairs);
+    q.fabric /= double(pairs);
+  }
+  return q;
+}
+
+}  // namespace breccia::collective_rearrangement

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Moments and histogram of a set of numbers. The set comes sorted, so that results do not depend on who is numbered
+/// first.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace breccia {
+
+/// In units of the numbers; NaN where not defined: the deviation of a single number, the shape of equal numbers.
+struct Moments {
+  std::size_t count = 0;
+  double mean, median;
+  double standard_deviation;  ///< s, with divisor n - 1
+  double skewness;            ///< m3/s^3; m_k: central moment with divisor n
+  double kurtosis;            ///< m4/s^4 - 3: 0 of the normal distribution
+  double min, max;
+};
+
+/// Of at least one number, in ascending order. Source: Joanes and Gill (1998), The Statistician 47, 183-189, where
+/// these are b1 and b2.
+Moments moments(const std::vector<double>& sorted);
+
+struct Histogram {
+  std::vector<double> edges;        ///< one more than bins
+  std::vector<std::size_t> counts;  ///< edges[k] <= x < edges[k + 1]; the last bin has its upper edge too
+};
+
+/// Bins of equal width between the least and the largest of at least one number, in ascending order. A single bin when
+/// the numbers are equal, up to rounding.
+Histogram histogram(const std::vector<double>& sorted, std::size_t bins);
+
+}  // namespace breccia

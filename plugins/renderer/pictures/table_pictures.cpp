@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "table_pictures.hpp"
+
+#include <cmath>
+
+#include "breccia/error.hpp"
+#include "chart_pictures.hpp"
+
+namespace breccia::pictures {
+namespace {
+
+bool begins_with(const CurvesFile& table, const char* first, const char* second) {
+  const auto& columns = table.all();
+  return columns.size() > 3 && columns[0].name == first && columns[1].name == second && table.find("count") &&
+         table.find("fraction");
+}
+
+std::string without(const std::string& prefix, const std::string& name) {
+  return name.starts_with(prefix) ? name.substr(prefix.size()) : name;
+}
+
+/// "pair minimum radius squared r²", in the paper's symbols: r of a particle; means of a pair have a bar or a tilde.
+std::string quantity_title(std::string name) {
+  const bool squared = name.ends_with("_squared");
+  if (squared) name.resize(name.size() - std::string("_squared").size());
+  std::string symbol;
+  if (name == "particle_radius") symbol = "r";
+  else if (name == "pair_arithmetic_mean_radius") symbol = "r\u0304";
+  else if (name == "pair_harmonic_mean_radius") symbol = "r\u0303";
+  else if (name == "pair_minimum_radius") symbol = "rₘ";
+  return name + (squared ? " squared " : " ") + symbol + (squared && !symbol.empty() ? "²" : "");
+}
+
+std::string whole_number(double v) {
+  std::string digits = std::to_string(std::llround(v));
+  for (int at = int(digits.size()) - 3; at > 0; at -= 3) digits.insert(std::size_t(at), "\u202f");
+  return digits;
+}
+
+double sum(const std::vector<double>& v) {
+  double s = 0;
+  for (const double x : v)
+    if (std::isfinite(x)) s += x;
+  return s;
+}
+
+}  // namespace
+
+bool is_histogram(const CurvesFile& table) { return begins_with(table, "from", "to"); }
+bool is_rose(const CurvesFile& table) { return begins_with(table, "angle_from", "angle_to"); }
+
+Chart histogram_chart(const CurvesFile& table, const std::string& name) {
+  const Curve &from = table.at("from"), &to = table.at("to"), &fraction = table.at("fraction");
+  // Radii of grains read best in millimetres: prefixes change at a tenth of their unit here.
+  const double dimension = from.unit == "m2" ? 2 : from.unit == "m3" ? 3 : 1;
+  const ShownUnit unit = shown_unit(from.unit, largest(to.value) * std::pow(10.0, dimension));
+  Chart chart;
+  std::string quantity = quantity_title(without("histogram_", name));
+  if (quantity.ends_with(' ')) quantity.pop_back();
+  chart.x_title = title(quantity, unit.unit);
+  chart.left_title = "fraction (%)";
+  chart.bars_label = "n = " + whole_number(sum(table.at("count").value));
+  for (std::size_t k = 0; k < from.value.size(); ++k)
+    if (std::isfinite(from.value[k]) && std::isfinite(to.value[k]) && std::isfinite(fraction.value[k]))
+      chart.bars.push_back({from.value[k] * unit.factor, to.value[k] * unit.factor, 100 * fraction.value[k]});
+  if (chart.bars.empty()) throw UserError("the table has no intervals to draw");
+  return chart;
+}
+
+Rose rose_of(const CurvesFile& table, const std::string& name) {
+  const Curve &from = table.at("angle_from"), &to = table.at("angle_to"), &fraction = table.at("fraction");
+  Rose rose;
+  const std::string plane = without("rose_", name);
+  const auto is_axis = [](char c) { return c >= 'x' && c <= 'z'; };
+  if (plane.size() == 2 && is_axis(plane[0]) && is_axis(plane[1])) {
+    rose.axis_0 = plane[0];
+    rose.axis_90 = plane[1];
+    rose.title = "directions in the " + plane + " plane, fraction (%)";
+  } else {
+    rose.title = title(plane, "") + ", fraction (%)";
+  }
+  for (std::size_t k = 0; k < from.value.size(); ++k)
+    if (std::isfinite(from.value[k]) && std::isfinite(to.value[k]) && std::isfinite(fraction.value[k]))
+      rose.sectors.push_back({from.value[k], to.value[k], 100 * fraction.value[k]});
+  if (rose.sectors.empty()) throw UserError("the table has no intervals to draw");
+  return rose;
+}
+
+}  // namespace breccia::pictures

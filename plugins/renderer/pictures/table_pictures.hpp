@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The charts made of the tables of a run: histograms and roses of directions.
+#pragma once
+
+#include "chart.hpp"
+#include "curves_file.hpp"
+
+namespace breccia::pictures {
+
+/// A table that begins with the columns `from`, `to` and has `count` and `fraction`.
+bool is_histogram(const CurvesFile& table);
+/// `name` is that of the table: "histogram_particle_radius".
+Chart histogram_chart(const CurvesFile& table, const std::string& name);
+
+/// A table that begins with `angle_from_rad`, `angle_to_rad` and has `count` and `fraction`.
+bool is_rose(const CurvesFile& table);
+
+/// A histogram in polar coordinates: a sector for each interval of angles, its radius the fraction.
+struct Rose {
+  std::string title, axis_0, axis_90;   ///< names of the directions at 0° and 90°; empty: none
+  struct Sector {
+    double from, to, percent;           ///< [rad], counted from the right to the left
+  };
+  std::vector<Sector> sectors;
+};
+Rose rose_of(const CurvesFile& table, const std::string& name);
+/// Writes <stem>.png and <stem>.svg and adds them to `made`.
+void write_rose(const Rose& rose, const Sheet& sheet, const std::filesystem::path& stem,
+                std::vector<std::filesystem::path>& made);
+
+}  // namespace breccia::pictures

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// breccia compare on result folders written by hand. Charts need OpenGL and have their tests beside the renderer's.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+class Compare : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "breccia-compare-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+    add("a", R"({"workflow": "first", "interrupted": false, "wall_time_s": 3.5, "bonds": 200, "porosity": 0.25,
+ "peak_stress_Pa": 330000000.0, "youngs_modulus_Pa": null, "fabric_diagonal": [0.3, 0.3, 0.4],
+ "damage": {"fragments": 7, "deeper": {"ratio": 0.125}},
+ "reference": {"source": "A paper", "peak_stress_Pa": 300000000.0, "youngs_modulus_Pa": 2e10}})");
+    add("b", R"({"workflow": "second", "interrupted": true, "wall_time_s": 4, "bonds": 100, "coordination_number": 9.5,
+ "porosity": 0.5, "damage": {"bonds_broken": 12}, "reference": {}})");
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void add(const std::string& run, const std::string& summary) const {
+    fs::create_directories(folder_ / run);
+    std::ofstream(folder_ / run / "summary.json") << summary;
+    std::ofstream(folder_ / run / "curves.csv") << "time_s,axial_strain,axial_stress_Pa\n0,0,0\n1,0.001,2e7\n2,0.002,3e7\n";
+  }
+  /// Both streams, after the exit code. Without OpenGL: tables only.
+  std::string call(const std::string& arguments) const {
+    const fs::path out = fs::path(folder_.string() + ".txt");
+    const std::string command = "cd '" + folder_.string() + "' && __EGL_VENDOR_LIBRARY_FILENAMES=/no/driver.json '" BRECCIA_BINARY_DIR "/bin/breccia' compare " + arguments + " >'" +
+                                out.string() + "' 2>&1 </dev/null";
+    const int status = std::system(command.c_str());
+    const std::string text = std::to_string(WIFEXITED(status) ? WEXITSTATUS(status) : -1) + ": " + content(out);
+    fs::remove(out);
+    return text;
+  }
+  std::string made(const std::string& file) const { return content(folder_ / "out" / file); }
+  void expect_refused(const std::string& arguments, const std::string& why) const {
+    const std::string text = call(arguments);
+    EXPECT_EQ(text.substr(0, 2), "2:") << text;
+    EXPECT_NE(text.find(why), std::string::npos) << text;
+    EXPECT_FALSE(fs::exists(folder_ / "out")) << text;
+  }
+  fs::path folder_;
+};
+
+TEST_F(Compare, EveryNumberOfEveryRun) {
+  const std::string text = call("a b/ -o out");
+  ASSERT_EQ(text.substr(0, 2), "0:") << text;
+  EXPECT_EQ(made("comparison.csv"),
+            "label,interrupted,wall_time_s,bonds,coordination_number,porosity,peak_stress_Pa,youngs_modulus_Pa,"
+            "damage.fragments,damage.deeper.ratio,damage.bonds_broken,reference.peak_stress_Pa,reference.youngs_modulus_Pa\n"
+            "a,0,3.5,200,,0.25,330000000.0,,7,0.125,,300000000.0,20000000000.0\n"
+            "b,1,4,100,9.5,0.5,,,,,12,,\n");
+  EXPECT_NE(text.find("warning: the run `b` was stopped before its end"), std::string::npos) << text;
+}
+
+TEST_F(Compare, TheTableForReadersHasUnitsReferencesAndDistances) {
+  ASSERT_EQ(call("a b -o out").substr(0, 2), "0:");
+  const std::string text = made("comparison.md");
+  const std::string table = text.substr(text.find("| | a"), text.find("\n\n", text.find("| | a")) - text.find("| | a"));
+  EXPECT_EQ(table,
+            "| | a | reference | b |\n|---|---:|---:|---:|\n| workflow | first |  | second |\n| interrupted | no |  | yes |\n"
+            "| bonds | 200 |  | 100 |\n| coordination number |  |  | 9.5 |\n| porosity | 0.25 |  | 0.5 |\n"
+            "| peak stress (MPa) | 330 | 300 (+10.0 %) |  |\n| Young's modulus (GPa) |  | 20 |  |");
+  EXPECT_NE(text.find("reference: A paper"), std::string::npos);
+  EXPECT_EQ(text.find("wall"), std::string::npos) << "bookkeeping";
+}
+
+TEST_F(Compare, LabelsInOnePieceOrSeveral) {
+  expect_refused("a b -o out --labels one", "1 label for 2 runs");
+  ASSERT_EQ(call("a b -o out --labels 'model 1,model 2'").substr(0, 2), "0:");
+  const std::string one = made("comparison.csv");
+  EXPECT_NE(one.find("\nmodel 1,0,"), std::string::npos) << one;
+  ASSERT_EQ(call("a b -o again --labels 'model 1' --labels 'model 2'").substr(0, 2), "0:");
+  EXPECT_EQ(content(folder_ / "again/comparison.csv"), one);
+}
+
+TEST_F(Compare, NamesMetTwiceAreToldApart) {
+  add("other/a", R"({"bonds": 1})");
+  add("third/a", R"({"bonds": 2})");
+  ASSERT_EQ(call("other/a third/a b b -o out").substr(0, 2), "0:");
+  const std::string parent = folder_.filename().string(), csv = made("comparison.csv");
+  EXPECT_NE(csv.find("\nother/a,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\nthird/a,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\n" + parent + "/b (1),"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\n" + parent + "/b (2),"), std::string::npos) << csv;
+}
+
+TEST_F(Compare, FilesAreNeverSilentlyReplaced) {
+  ASSERT_EQ(call("a b -o out").substr(0, 2), "0:");
+  std::ofstream(folder_ / "out/thesis.txt") << "dear";
+  const std::string before = made("comparison.csv");
+  const std::string again = call("b -o out");
+  EXPECT_EQ(again.substr(0, 2), "2:");
+  EXPECT_NE(again.find("--overwrite"), std::string::npos) << again;
+  EXPECT_EQ(made("comparison.csv"), before);
+  ASSERT_EQ(call("b -o out --overwrite").substr(0, 2), "0:");
+  EXPECT_NE(made("comparison.csv"), before);
+  EXPECT_EQ(made("thesis.txt"), "dear");
+  for (const auto& entry : fs::directory_iterator(folder_ / "out")) EXPECT_NE(entry.path().extension(), ".partial");
+  EXPECT_NE(call("a b -o b --overwrite").find("which is one of the runs"), std::string::npos);
+  EXPECT_NE(call("b -o a --overwrite").find("holds the results of a run"), std::string::npos);
+}
+
+TEST_F(Compare, WhatIsNoFinishedRunIsNamed) {
+  expect_refused("a nowhere -o out", "cannot read nowhere: no such folder");
+  expect_refused("a a/curves.csv -o out", "a/curves.csv is a file");
+  fs::create_directories(folder_ / "empty");
+  expect_refused("a empty -o out", "empty is not the result folder of a run: it has no summary.json");
+  std::ofstream(folder_ / "empty/curves.csv.partial") << "time_s\n";
+  expect_refused("a empty -o out", "the run in empty has not finished");
+  add("damaged", R"({"bonds": )");
+  expect_refused("a damaged -o out", "damaged/summary.json is damaged");
+  fs::remove(folder_ / "b/curves.csv");
+  expect_refused("a b -o out", "b is not a whole result folder: it has no curves.csv");
+  expect_refused("-o out", "DIR");
+}
+
+}  // namespace
