@@ -25,7 +25,7 @@ struct Config {
   std::optional<MeshConfig> mesh;
   RadiusConfig radius;
   std::optional<long> particles;
-  std::optional<double> porosity;
+  std::optional<double> porosity, neighbours_per_particle;
   double margin = 0;                    // [m]
   bool flat_ends = true;
   double overlap_tolerance = 0, tolerance = 0;

@@ -118,15 +118,17 @@ class MeshRegion final : public Region {
       next(b, 0.6710436067037893);
       next(c, 0.5497004779019703);
     }
-    return confine(x, r);
+    return confine(x, r, 0);
   }
 
-  Vec3 confine(const Vec3& x, double r) const override {
+  unsigned walls_near(const Vec3& x, double r, double gap) const override { return depth(x) <= (1 + gap) * r ? 1u : 0u; }
+
+  Vec3 confine(const Vec3& x, double r, unsigned touching) const override {
     Vec3 p = x;
     for (int k = 0; k < confine_steps; ++k) {
       Vec3 inward;
       const double missing = r - depth(p, inward);
-      if (missing <= 1e-9 * r) break;
+      if (missing <= 1e-9 * r && (!touching || missing >= -1e-9 * r)) break;
       p += missing * inward;
     }
     return p;

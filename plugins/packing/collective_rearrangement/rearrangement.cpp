@@ -2,6 +2,7 @@
 #include "rearrangement.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <random>
 
@@ -17,6 +18,8 @@ constexpr double growth_tolerance = 1e-2;
 constexpr double longest_move = 0.2;                     // of a centre in one iteration, in radii
 constexpr double no_overlap = 1e-10;                     // energy per sphere at which there is nothing left to do
 constexpr int check_every = 50;
+constexpr int closing_rounds = 30, closing_iterations = 100;
+constexpr double closing_reach = 0.5;                    // gaps over s that can be drawn together at all
 // FIRE, in units in which the stiffest mode has a frequency of order one.
 constexpr double first_step = 0.1, longest_step = 1.0, mixing_start = 0.1;
 
@@ -39,6 +42,7 @@ Rearrangement::Rearrangement(const Region& region, std::vector<double> radii, st
   velocity_.assign(n, Vec3::Zero());
   force_.assign(n, Vec3::Zero());
   energy_of_.assign(n, 0.0);
+  touching_.assign(n, 0);
   skin_ = 0.2 * std::accumulate(s_.r.begin(), s_.r.end(), 0.0) / double(n);
   find_neighbours();
 }
@@ -52,6 +56,20 @@ Outcome Rearrangement::run() {
   const Outcome last = relax(1.0, settings_.max_iterations, settings_.tolerance);
   host_.progress("packing", 1);
   return {last.converged, all.iterations + last.iterations};
+}
+
+/// The set of pairs follows the spheres from round to round.
+Outcome Rearrangement::close(std::size_t pairs) {
+  closing_ = true;
+  Outcome all;
+  double before = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < closing_rounds && !all.converged; ++round) {
+    find_nearest(pairs);
+    all.iterations += relax(1.0, closing_iterations, settings_.tolerance).iterations;
+    all.converged = before - energy_ < settings_.tolerance * before;
+    before = energy_;
+  }
+  return all;
 }
 
 Outcome Rearrangement::relax(double scale, int max_iterations, double tolerance) {
@@ -80,7 +98,7 @@ Outcome Rearrangement::relax(double scale, int max_iterations, double tolerance)
         mixing *= 0.99;
       }
     }
-    if (advance(step, mixing, ratio)) find_neighbours();
+    if (advance(step, mixing, ratio) && !closing_) find_neighbours();
     forces(scale);
     if (k % check_every == 0) {
       if (before - energy_ < tolerance * before) return {true, std::size_t(k)};
@@ -101,7 +119,7 @@ bool Rearrangement::advance(double step, double mixing, double ratio) {
     Vec3 d = step * v;
     const double length = d.norm();
     if (length > longest_move * r) d *= longest_move * r / length;
-    const Vec3 wanted = s_.x[i] + d, got = region_.confine(wanted, r);
+    const Vec3 wanted = s_.x[i] + d, got = region_.confine(wanted, r, touching_[i]);
     // What the wall took from the motion it takes from the velocity: no pressing on against it.
     const Vec3 push = got - wanted;
     const double size = push.norm();
@@ -132,6 +150,37 @@ void Rearrangement::find_neighbours() {
   });
 }
 
+/// All overlapping pairs, and of the others those with the smallest gaps over s, until there are `pairs`. Walls within
+/// the same gap are to be touched.
+void Rearrangement::find_nearest(std::size_t pairs) {
+  const std::size_t n = s_.size();
+  const CellGrid grid(s_.x, (1 + closing_reach) * 2 * s_.r.front());
+  const auto gap = [&](std::size_t i, std::size_t j) { return (s_.x[i] - s_.x[j]).norm() / (s_.r[i] + s_.r[j]) - 1; };
+  for_all(n, settings_.threads, [&](std::size_t i) {
+    near_[i].clear();
+    grid.for_each_near(s_.x[i], [&](Index j) {
+      if (j != i && gap(i, j) < closing_reach) near_[i].push_back(j);
+    });
+    std::sort(near_[i].begin(), near_[i].end());
+  });
+  std::vector<double> gaps;
+  for (std::size_t i = 0; i < n; ++i)
+    for (const Index j : near_[i])
+      if (j > i) gaps.push_back(gap(i, j));
+  double limit = closing_reach;
+  if (pairs > 0 && gaps.size() > pairs) {
+    std::nth_element(gaps.begin(), gaps.begin() + std::ptrdiff_t(pairs - 1), gaps.end());
+    limit = std::max(0.0, gaps[pairs - 1]);
+  }
+  for_all(n, settings_.threads, [&](std::size_t i) {
+    std::erase_if(near_[i], [&](Index j) { return gap(i, j) > limit; });
+  });
+  for_all(n, settings_.threads, [&](std::size_t i) {
+    touching_[i] = std::uint8_t(region_.walls_near(s_.x[i], s_.r[i], limit));
+    s_.x[i] = region_.confine(s_.x[i], s_.r[i], touching_[i]);
+  });
+}
+
 /// Each sphere adds up its own pairs in a fixed order: every pair is met twice, and no result depends on the threads.
 void Rearrangement::forces(double scale) {
   for_all(s_.size(), settings_.threads, [&](std::size_t i) {
@@ -141,7 +190,7 @@ void Rearrangement::forces(double scale) {
       const double s = scale * (s_.r[i] + s_.r[j]);
       const Vec3 d = s_.x[i] - s_.x[j];
       const double square = d.squaredNorm();
-      if (square >= s * s || square == 0) continue;
+      if ((square >= s * s && !closing_) || square == 0) continue;
       const double distance = std::sqrt(square), overlap = 1 - distance / s;
       energy += 0.25 * overlap * overlap;
       force += d * (overlap / (s * distance));

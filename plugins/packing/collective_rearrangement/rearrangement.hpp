@@ -4,6 +4,10 @@
 /// Energy: 1/2 sum over overlapping pairs of (1 - d/s)^2, s = r_i + r_j. The radii grow from a fraction in steps; at each
 /// size the energy is minimised with FIRE (Bitzek et al. 2006, Phys. Rev. Lett. 97, 170201), each sphere with a mass of
 /// 1/r^2, so that small and large ones move at the same pace measured in their own radii. Walls are rigid.
+///
+/// After that the nearest pairs can be drawn together: the same energy over a set of pairs that holds all overlapping
+/// ones and those with the smallest gaps, now counting gaps as well (the objective of Labra and Oñate 2009 with the
+/// radii kept).
 #pragma once
 
 #include <cstdint>
@@ -35,11 +39,14 @@ class Rearrangement {
  public:
   Rearrangement(const Region& region, std::vector<double> radii, std::uint64_t seed, const Settings& settings, Host& host);
   Outcome run();
+  /// Draws this many pairs toward touching each other.
+  Outcome close(std::size_t pairs);
   const Spheres& spheres() const { return s_; }
 
  private:
   Outcome relax(double scale, int max_iterations, double tolerance);
   void find_neighbours();
+  void find_nearest(std::size_t pairs);
   void forces(double scale);
   bool advance(double step, double mixing, double ratio);
 
@@ -50,7 +57,9 @@ class Rearrangement {
   std::vector<Vec3> velocity_, force_, listed_at_;
   std::vector<std::vector<Index>> near_;
   std::vector<double> energy_of_;
+  std::vector<std::uint8_t> touching_;   // walls that a sphere is to touch, as bits
   double energy_ = 0, skin_ = 0;
+  bool closing_ = false;   // gaps count too, and `near_` is the set of pairs to be drawn together
 };
 
 }  // namespace breccia::collective_rearrangement

@@ -17,8 +17,11 @@ class Region {
   virtual Vec3 axis() const = 0;
   /// A place for the centre of a sphere of radius r [m], from three numbers in [0, 1).
   virtual Vec3 place(double r, double a, double b, double c) const = 0;
-  /// The centre nearest to x at which a sphere of radius r [m] keeps inside, as far as one exists.
-  virtual Vec3 confine(const Vec3& x, double r) const = 0;
+  /// A bit for each wall that is at most (1 + gap) r away.
+  virtual unsigned walls_near(const Vec3& x, double r, double gap) const = 0;
+  /// The centre nearest to x at which a sphere of radius r [m] keeps inside, as far as one exists, and touches the walls
+  /// of these bits.
+  virtual Vec3 confine(const Vec3& x, double r, unsigned touching = 0) const = 0;
   /// How far inside a point is; negative outside [m].
   virtual double depth(const Vec3& x) const = 0;
   /// Grown outward by a margin [m], flat ends only if `ends`; in the same coordinates.
@@ -34,7 +37,17 @@ class ContainerRegion final : public Region {
   SpecimenShape::Outline outline() const override { return container_.outline(); }
   Vec3 axis() const override { return container_.axis(); }
   Vec3 place(double r, double a, double b, double c) const override { return origin_ + container_.place(r, a, b, c); }
-  Vec3 confine(const Vec3& x, double r) const override { return origin_ + container_.project(x - origin_, r, 0); }
+  unsigned walls_near(const Vec3& x, double r, double gap) const override {
+    Container::Walls walls;
+    const std::size_t n = container_.walls(x - origin_, walls);
+    unsigned bits = 0;
+    for (std::size_t w = 0; w < n; ++w)
+      if (walls[w].distance <= (1 + gap) * r) bits |= 1u << w;
+    return bits;
+  }
+  Vec3 confine(const Vec3& x, double r, unsigned touching) const override {
+    return origin_ + container_.project(x - origin_, r, touching);
+  }
   double depth(const Vec3& x) const override {
     Container::Walls walls;
     const std::size_t n = container_.walls(x - origin_, walls);

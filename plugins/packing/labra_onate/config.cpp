@@ -27,6 +27,10 @@ void describe(Schema<Config>& s) {
   s.param("neighbours_per_particle", &Config::neighbours_per_particle).above(0).at_most(14).example("11.8942")
       .doc("mean number of neighbours of a particle in the set of pairs that are drawn together; best near the mean "
            "number of bonds wanted. By default 12, in two dimensions 5");
+  s.param("neighbour_size_correlation", &Config::neighbour_size_correlation).above(-0.5).below(0.9).example("0.08")
+      .doc("correlation of the radii of neighbours that the optimisation starts from, as in packings whose sizes follow "
+           "a mesh; without it, it comes out as it does, near zero. The optimisation lowers it somewhat: the report "
+           "says by how much");
   s.param("max_iterations", &Config::max_iterations).at_least(1).at_most(100000)
       .doc("largest number of steps in each of the three stages").fallback(200);
   s.param("tolerance", &Config::tolerance).above(0).below(1)

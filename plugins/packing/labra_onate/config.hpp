@@ -12,7 +12,7 @@ struct Config {
   ContainerConfig container;
   RadiusConfig radius;
   std::optional<long> particles;
-  std::optional<double> porosity, neighbours_per_particle;
+  std::optional<double> porosity, neighbours_per_particle, neighbour_size_correlation;
   long max_iterations = 0;
   double tolerance = 0;
 };

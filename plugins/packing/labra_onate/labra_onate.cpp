@@ -27,6 +27,7 @@ PackedParticles LabraOnate::generate(const PackingRequest& request, Host& host) 
   settings.pairs = std::max<std::size_t>(1, std::size_t(std::llround(0.5 * neighbours * double(n))));
   settings.max_iterations = int(config_.max_iterations);
   settings.tolerance = config_.tolerance;
+  settings.size_correlation = config_.neighbour_size_correlation;
   settings.threads = n < worth_threads ? 1 : std::max(1, host.threads());
 
   Optimiser optimiser(box, sizes.radii, settings, host);

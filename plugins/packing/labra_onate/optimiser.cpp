@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "breccia/packing_tools/parallel.hpp"
+#include "size_correlation.hpp"
 
 namespace breccia::labra_onate {
 
@@ -38,6 +39,10 @@ Spheres Optimiser::arrange(std::uint64_t seed) {
   }
   s.r = full;
   run(s, {Residual::distance, false, 0, settings_.max_iterations, 0.15, 0.5});
+  if (settings_.size_correlation) {
+    correlate_sizes(s, finder_.find(s, settings_.pairs), *settings_.size_correlation, seed);
+    run(s, {Residual::distance, false, 0, settings_.max_iterations, 0.5, 0.5});
+  }
   return s;
 }
 

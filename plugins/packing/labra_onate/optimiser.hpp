@@ -2,6 +2,7 @@
 /// From random places to the packing: growth, then least squares with free radii, then with the final radii.
 #pragma once
 
+#include <optional>
 #include <random>
 
 #include "breccia/services.hpp"
@@ -14,6 +15,7 @@ struct OptimiserSettings {
   int max_iterations = 200;     ///< of each stage
   double tolerance = 1e-4;      ///< a stage ends when the energy falls by less than this share, three times in a row
   int threads = 1;
+  std::optional<double> size_correlation;   ///< of neighbours, to be set up between arranging and optimising
 };
 
 /// The energy of a stage after each accepted step, and how it ended.
@@ -28,7 +30,8 @@ class Optimiser {
   Optimiser(const Container& box, std::vector<double> radii, const OptimiserSettings& settings, Host& host)
       : box_(box), radii_(std::move(radii)), settings_(settings), finder_(box, settings.threads), host_(host) {}
 
-  /// Random places, radii grown to full size while overlaps are pushed apart.
+  /// Random places, radii grown to full size while overlaps are pushed apart; then, if asked, radii swapped until
+  /// neighbours are as alike in size as they should be.
   Spheres arrange(std::uint64_t seed);
   /// Centres and radii; after each step the radii are mapped, rank by rank, to the ones asked for.
   StageRecord optimise_all(Spheres& s);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "size_correlation.hpp"
+
 namespace breccia::labra_onate {
 
 namespace {
@@ -66,6 +68,7 @@ Quality measure(const Spheres& s, const Container& box, const NeighbourSet& set)
   q.tolerance = set.tolerance;
   measure_radii(s.r, q);
   measure_pairs(s, set, q);
+  q.size_correlation = size_correlation(s, set);
   measure_walls(s, box, set, q);
   return q;
 }
@@ -88,6 +91,7 @@ std::vector<AskedGot> report(const Quality& q, const Config& c, const RadiusLaw&
       {"mean_gap", "1", std::nullopt, q.mean_gap},
       {"max_gap", "1", std::nullopt, q.max_gap},
       {"rms_gap_or_overlap", "1", std::nullopt, q.misfit},
+      {"neighbour_size_correlation", "1", c.neighbour_size_correlation, q.size_correlation},
       {"fabric_xx", "1", std::nullopt, q.fabric.x()},
       {"fabric_yy", "1", std::nullopt, q.fabric.y()},
       {"fabric_zz", "1", std::nullopt, q.fabric.z()},
