@@ -1,56 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The program as a user meets it: exit codes, messages, files.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <csignal>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
 #include <thread>
 
+#include "program.hpp"
+
+namespace breccia::testing {
 namespace {
 
-namespace fs = std::filesystem;
-using Json = nlohmann::json;
-
-const std::string program = BRECCIA_BINARY_DIR "/bin/breccia";
-
-std::string content(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-struct Result {
-  int code;
-  std::string text;  ///< both streams
-};
-
-class Cli : public ::testing::Test {
+class Cli : public Program {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("breccia_cli_" + std::to_string(getpid()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    ::setenv("BRECCIA_CACHE", (folder_ / "cache").c_str(), 1);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  Result call(const std::string& arguments, const std::string& before = "") const {
-    const fs::path out = folder_ / "out.txt";
-    const std::string command = "cd '" + folder_.string() + "' && " + before + " '" + program + "' " + arguments + " >'" + out.string() + "' 2>&1 </dev/null";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), content(out)};
-  }
-  fs::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return folder_ / name;
-  }
   /// A specimen of 4 x 4 x 8 tangent spheres that runs in a second.
   void write_small() const {
     std::ostringstream csv;
@@ -72,7 +31,6 @@ protocol: {type: uniaxial_compression, platen_velocity: 0.2 m/s, platen_stiffnes
 sampling: {every_steps: 5}
 postprocessors: [{type: stress}, {type: bagi_strain}, {type: elastic_constants}, {type: damage}, {type: bond_statistics}, {type: fabric}, {type: energy}]
 )";
-  fs::path folder_;
 };
 
 TEST_F(Cli, RunMakesEveryFileAndTheSummaryHasItsKeys) {
@@ -219,3 +177,4 @@ TEST_F(Cli, ShippedWorkflowsAreValidAndTheSchemaIsCurrent) {
 }
 
 }  // namespace
+}  // namespace breccia::testing

@@ -1,31 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // breccia compare on result folders written by hand. Charts need OpenGL and have their tests beside the renderer's.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include "program.hpp"
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-
+namespace breccia::testing {
 namespace {
 
-namespace fs = std::filesystem;
-
-std::string content(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-class Compare : public ::testing::Test {
+class Compare : public Program {
  protected:
   void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "breccia-compare-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
+    Program::SetUp();
     add("a", R"({"workflow": "first", "interrupted": false, "wall_time_s": 3.5, "bonds": 200, "porosity": 0.25,
  "peak_stress_Pa": 330000000.0, "youngs_modulus_Pa": null, "fabric_diagonal": [0.3, 0.3, 0.4],
  "damage": {"fragments": 7, "deeper": {"ratio": 0.125}},
@@ -33,7 +16,6 @@ class Compare : public ::testing::Test {
     add("b", R"({"workflow": "second", "interrupted": true, "wall_time_s": 4, "bonds": 100, "coordination_number": 9.5,
  "porosity": 0.5, "damage": {"bonds_broken": 12}, "reference": {}})");
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   void add(const std::string& run, const std::string& summary) const {
     fs::create_directories(folder_ / run);
@@ -42,13 +24,8 @@ class Compare : public ::testing::Test {
   }
   /// Both streams, after the exit code. Without OpenGL: tables only.
   std::string call(const std::string& arguments) const {
-    const fs::path out = fs::path(folder_.string() + ".txt");
-    const std::string command = "cd '" + folder_.string() + "' && __EGL_VENDOR_LIBRARY_FILENAMES=/no/driver.json '" BRECCIA_BINARY_DIR "/bin/breccia' compare " + arguments + " >'" +
-                                out.string() + "' 2>&1 </dev/null";
-    const int status = std::system(command.c_str());
-    const std::string text = std::to_string(WIFEXITED(status) ? WEXITSTATUS(status) : -1) + ": " + content(out);
-    fs::remove(out);
-    return text;
+    const Result r = Program::call("compare " + arguments, "__EGL_VENDOR_LIBRARY_FILENAMES=/no/driver.json");
+    return std::to_string(r.code) + ": " + r.text;
   }
   std::string made(const std::string& file) const { return content(folder_ / "out" / file); }
   void expect_refused(const std::string& arguments, const std::string& why) const {
@@ -57,7 +34,6 @@ class Compare : public ::testing::Test {
     EXPECT_NE(text.find(why), std::string::npos) << text;
     EXPECT_FALSE(fs::exists(folder_ / "out")) << text;
   }
-  fs::path folder_;
 };
 
 TEST_F(Compare, EveryNumberOfEveryRun) {
@@ -134,3 +110,4 @@ TEST_F(Compare, WhatIsNoFinishedRunIsNamed) {
 }
 
 }  // namespace
+}  // namespace breccia::testing

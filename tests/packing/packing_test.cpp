@@ -22,11 +22,6 @@ void expect_inside(const PackedParticles& p, const Container& box) {
   }
 }
 
-bool same_bits(const PackedParticles& a, const PackedParticles& b) {
-  return a.radius == b.radius && a.position.size() == b.position.size() &&
-         std::memcmp(a.position.data(), b.position.data(), a.position.size() * sizeof(Vec3)) == 0;
-}
-
 TEST(Packing, CylinderHoldsPorosityRadiiAndWalls) {
   TestHost host;
   const PackedParticles p = pack(small_cylinder(), host);

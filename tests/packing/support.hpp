@@ -1,34 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// What the tests of the packing share: a host that remembers, and configurations as the parser would hand them over.
+/// Configurations of labra_onate as the parser would hand them over.
 #pragma once
 
-#include <atomic>
-
+#include "host.hpp"
 #include "labra_onate.hpp"
 
 namespace breccia::labra_onate {
-
-class TestHost final : public Host {
- public:
-  explicit TestHost(int threads = 1) : threads_(threads) {}
-  void info(std::string_view) override {}
-  void warn(std::string_view text) override { warnings += std::string(text) + "\n"; }
-  void progress(std::string_view, double done) override {
-    never_back = never_back && done >= last;
-    last = done;
-    ++calls;
-  }
-  bool cancelled() const override { return cancel_after >= 0 && calls >= cancel_after; }
-  int threads() const override { return threads_; }
-
-  std::string warnings;
-  double last = 0;
-  bool never_back = true;
-  int calls = 0, cancel_after = -1;
-
- private:
-  int threads_;
-};
 
 /// A cylinder of 10 mm x 12 mm with about 700 spheres at 25 % porosity.
 inline Json small_cylinder() {
@@ -56,12 +33,6 @@ inline PackedParticles pack(const Json& config, Host& host, std::uint64_t seed =
   const FactoryOf<LabraOnate> factory;
   const auto plugin = factory.create(config);
   return dynamic_cast<Packing&>(*plugin).generate({dimension, 0.5, seed}, host);
-}
-
-inline double got(const PackedParticles& p, const std::string& name) {
-  for (const AskedGot& line : p.report)
-    if (line.name == name) return line.got;
-  throw std::runtime_error("the report has no line " + name);
 }
 
 }  // namespace breccia::labra_onate

@@ -59,7 +59,7 @@ class CollectiveRearrangement final : public Packing {
         .doc("pack a space larger by this all round, and cut the specimen out of it");
     s.param("flat_ends", &Config::flat_ends).fallback(true)
         .doc("with a margin: leave the ends of a cylinder or box where they are, so that platens find spheres that touch them");
-    s.param("overlap_tolerance", &Config::overlap_tolerance).above(0).at_most(0.5).fallback(1e-3)
+    s.param("overlap_tolerance", &Config::overlap_tolerance).at_least(1e-6).at_most(0.5).fallback(1e-3)
         .doc("largest overlap allowed in the packing, over the sum of the radii; a denser packing is refused");
     s.param("max_iterations", &Config::max_iterations).at_least(1).at_most(1000000).fallback(5000)
         .doc("largest number of steps at the final size");
@@ -93,7 +93,8 @@ class CollectiveRearrangement final : public Packing {
 
   PackedParticles generate(const PackingRequest& request, Host& host) override {
     const int dimension = request.dimension;
-    const std::unique_ptr<Region> region = make_region(dimension);
+    const int threads = std::max(1, host.threads());
+    const std::unique_ptr<Region> region = make_region(dimension, threads);
     const RadiusLaw law = config_.radius.law();
     const std::size_t wanted = config_.particles ? std::size_t(*config_.particles)
                                                  : number_for(*config_.porosity, law, region->measure(), dimension);
@@ -105,11 +106,11 @@ class CollectiveRearrangement final : public Packing {
     if (radii.back() > region->largest_radius())
       throw UserError(text("the largest particle, of radius %.4g m, does not fit into the space to be filled", radii.back()));
     const double solid = solid_measure(radii, dimension);
-    if (solid > 0.95 * (larger ? *larger : *region).measure())
+    if (packed_number > 1 && solid > 0.95 * (larger ? *larger : *region).measure())
       throw UserError(text("%zu particles of these radii have %.3g of the volume to be filled: use fewer or smaller ones",
                            packed_number, solid / (larger ? *larger : *region).measure()));
 
-    Settings settings{int(config_.max_iterations), config_.tolerance, std::max(1, host.threads())};
+    Settings settings{int(config_.max_iterations), config_.tolerance, threads};
     Rearrangement rearrangement(larger ? *larger : *region, std::move(radii), request.seed, settings, host);
     Outcome outcome = rearrangement.run();
     if (config_.neighbours_per_particle) {
@@ -123,6 +124,8 @@ class CollectiveRearrangement final : public Packing {
     if (larger)
       cut = cut_out(cut.spheres, *region, config_.margin, ends, dimension, wanted, solid / enlarged, request.seed);
 
+    if (cut.spheres.size() == 0)
+      throw UserError("no particle has its centre in the specimen cut out: use more or smaller ones, or a smaller margin");
     const Quality q = measure(cut.spheres, region->measure(), dimension);
     host.info(text("packed %zu particles: porosity %.4f, %.2f contacts each, overlaps up to %.3g %% of the sum of the radii",
                    cut.spheres.size(), q.porosity, q.contacts, 100 * q.max_overlap));
@@ -142,10 +145,10 @@ class CollectiveRearrangement final : public Packing {
   }
 
  private:
-  std::unique_ptr<Region> make_region(int dimension) const {
+  std::unique_ptr<Region> make_region(int dimension, int threads) const {
     if (!config_.mesh) return std::make_unique<ContainerRegion>(config_.container->make(dimension));
     if (dimension == 2) throw UserError("a mesh cannot be packed in two dimensions: use a container");
-    return read_mesh(*config_.mesh);
+    return read_mesh(*config_.mesh, threads);
   }
 
   std::vector<AskedGot> report(const Quality& q, const RadiusLaw& law, std::size_t wanted, std::size_t got,

@@ -10,10 +10,13 @@ namespace breccia::collective_rearrangement {
 namespace {
 constexpr int places = 1000;
 
-std::vector<std::size_t> inside(const Spheres& all, const Region& region, const Vec3& place) {
+/// `depth`: of each sphere where the region is not moved. Only near the boundary a move can matter.
+std::vector<std::size_t> inside(const Spheres& all, const std::vector<double>& depth, const Region& region,
+                                const Vec3& place) {
   std::vector<std::size_t> kept;
+  const double moved = place.norm();
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (region.depth(all.x[i] - place) >= 0) kept.push_back(i);
+    if (depth[i] > moved || (depth[i] >= -moved && region.depth(all.x[i] - place) >= 0)) kept.push_back(i);
   return kept;
 }
 }  // namespace
@@ -23,6 +26,8 @@ Cut cut_out(const Spheres& all, const Region& region, double margin, bool ends, 
   std::mt19937_64 generator(seed + 1);
   const auto uniform = [&] { return 2 * double(generator() >> 11) * 0x1p-53 - 1; };
   const Vec3 axis = region.axis();
+  std::vector<double> depth(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) depth[i] = region.depth(all.x[i]);
   Cut best;
   std::size_t best_miss = all.size() + 1;
   double best_solid = 0;
@@ -30,7 +35,7 @@ Cut cut_out(const Spheres& all, const Region& region, double margin, bool ends, 
     Vec3 place = 0.5 * margin * Vec3(uniform(), uniform(), uniform()) / std::sqrt(3.0);
     if (dimension == 2) place.z() = 0;
     if (!ends) place -= place.dot(axis) * axis;
-    const std::vector<std::size_t> kept = inside(all, region, place);
+    const std::vector<std::size_t> kept = inside(all, depth, region, place);
     const std::size_t miss = kept.size() > wanted ? kept.size() - wanted : wanted - kept.size();
     if (miss > best_miss) continue;
     Spheres s;

@@ -7,7 +7,8 @@
 
 namespace breccia::collective_rearrangement {
 
-/// UserError when the file cannot be read or its surface is not closed, and where Breccia was built without VTK.
-std::unique_ptr<Region> read_mesh(const MeshConfig& config);
+/// For use by so many OpenMP threads at a time. UserError when the file cannot be read or its surface is not closed,
+/// and where Breccia was built without VTK.
+std::unique_ptr<Region> read_mesh(const MeshConfig& config, int threads);
 
 }  // namespace breccia::collective_rearrangement

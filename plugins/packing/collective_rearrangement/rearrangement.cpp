@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <span>
 
 #include "breccia/cell_grid.hpp"
 #include "breccia/packing_tools/parallel.hpp"
@@ -16,7 +17,7 @@ constexpr double start_scale = 0.6, scale_step = 0.05;   // of the radii: below 
 constexpr int growth_iterations = 400;
 constexpr double growth_tolerance = 1e-2;
 constexpr double longest_move = 0.2;                     // of a centre in one iteration, in radii
-constexpr double no_overlap = 1e-10;                     // energy per sphere at which there is nothing left to do
+constexpr double no_overlap = 1e-6;                      // over s: nothing is left to do
 constexpr int check_every = 50;
 constexpr int closing_rounds = 30, closing_iterations = 100;
 constexpr double closing_reach = 0.5;                    // gaps over s that can be drawn together at all
@@ -43,6 +44,7 @@ Rearrangement::Rearrangement(const Region& region, std::vector<double> radii, st
   force_.assign(n, Vec3::Zero());
   energy_of_.assign(n, 0.0);
   touching_.assign(n, 0);
+  room_.assign(n, 0.0);
   skin_ = 0.2 * std::accumulate(s_.r.begin(), s_.r.end(), 0.0) / double(n);
   find_neighbours();
 }
@@ -64,16 +66,19 @@ Outcome Rearrangement::close(std::size_t pairs) {
   Outcome all;
   double before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < closing_rounds && !all.converged; ++round) {
+    host_.progress("drawing neighbours together", double(round) / closing_rounds);
     find_nearest(pairs);
     all.iterations += relax(1.0, closing_iterations, settings_.tolerance).iterations;
     all.converged = before - energy_ < settings_.tolerance * before;
     before = energy_;
   }
+  host_.progress("drawing neighbours together", 1);
   return all;
 }
 
 Outcome Rearrangement::relax(double scale, int max_iterations, double tolerance) {
   const std::size_t n = s_.size();
+  constexpr double least = 0.25 * no_overlap * no_overlap;
   double step = first_step, mixing = mixing_start;
   int downhill = 0;
   std::fill(velocity_.begin(), velocity_.end(), Vec3::Zero());
@@ -81,7 +86,7 @@ Outcome Rearrangement::relax(double scale, int max_iterations, double tolerance)
   double before = energy_;
   for (int k = 1; k <= max_iterations; ++k) {
     if (host_.cancelled()) throw Cancelled();
-    if (energy_ <= no_overlap * double(n)) return {true, std::size_t(k)};
+    if (largest_energy_ <= least) return {true, std::size_t(k)};
     const double power = ordered_sum(n, settings_.threads, [&](std::size_t i) { return force_[i].dot(velocity_[i]); });
     double ratio = 0;
     if (power < 0) {
@@ -103,10 +108,10 @@ Outcome Rearrangement::relax(double scale, int max_iterations, double tolerance)
     if (k % check_every == 0) {
       if (before - energy_ < tolerance * before) return {true, std::size_t(k)};
       before = energy_;
-      if (scale == 1) host_.progress("packing", 0.5 + 0.5 * double(k) / max_iterations);
+      if (scale == 1 && !closing_) host_.progress("packing", 0.5 + 0.5 * double(k) / max_iterations);
     }
   }
-  return {energy_ <= no_overlap * double(n), std::size_t(max_iterations)};
+  return {largest_energy_ <= least, std::size_t(max_iterations)};
 }
 
 /// One step of motion; true when the neighbours may no longer be all.
@@ -119,35 +124,60 @@ bool Rearrangement::advance(double step, double mixing, double ratio) {
     Vec3 d = step * v;
     const double length = d.norm();
     if (length > longest_move * r) d *= longest_move * r / length;
-    const Vec3 wanted = s_.x[i] + d, got = region_.confine(wanted, r, touching_[i]);
+    const Vec3 wanted = s_.x[i] + d;
+    room_[i] -= d.norm();
+    if (room_[i] > 0 && touching_[i] == 0) {
+      s_.x[i] = wanted;
+      return;
+    }
+    confine(i, wanted);
     // What the wall took from the motion it takes from the velocity: no pressing on against it.
-    const Vec3 push = got - wanted;
+    const Vec3 push = s_.x[i] - wanted;
     const double size = push.norm();
     if (size > 1e-12 * r) {
       const Vec3 inward = push / size;
       const double outward = std::min(0.0, v.dot(inward));
       v -= outward * inward;
     }
-    s_.x[i] = got;
   });
   double farthest = 0;
   for (std::size_t i = 0; i < n; ++i) farthest = std::max(farthest, (s_.x[i] - listed_at_[i]).squaredNorm());
   return farthest > 0.25 * skin_ * skin_;
 }
 
+/// Puts a sphere where it keeps inside; where it is, when there is no such place nearby.
+void Rearrangement::confine(std::size_t i, const Vec3& wanted) {
+  const Confined got = region_.confine(wanted, s_.r[i], touching_[i]);
+  room_[i] = got.room;
+  if (got.room >= -1e-9 * s_.r[i]) s_.x[i] = got.x;
+}
+
+/// The spheres are sorted, so that those of about one size, up to a factor of two, are a range with a grid of its own.
+/// Each sphere looks for larger ones only: a large one would meet a crowd of small ones in its cells.
 void Rearrangement::find_neighbours() {
   const std::size_t n = s_.size();
   listed_at_ = s_.x;
   near_.resize(n);
-  const CellGrid grid(listed_at_, 2 * s_.r.front() + skin_);
-  for_all(n, settings_.threads, [&](std::size_t i) {
-    near_[i].clear();
-    grid.for_each_near(s_.x[i], [&](Index j) {
-      const double limit = s_.r[i] + s_.r[j] + skin_;
-      if (j != i && (s_.x[i] - s_.x[j]).squaredNorm() < limit * limit) near_[i].push_back(j);
+  for (auto& row : near_) row.clear();
+  for (std::size_t first = 0; first < n;) {
+    std::size_t end = first;
+    while (end < n && 2 * s_.r[end] > s_.r[first]) ++end;
+    const CellGrid grid(std::span<const Vec3>(listed_at_).subspan(first, end - first), 2 * s_.r[first] + skin_);
+    for_all(n - first, settings_.threads, [&](std::size_t k) {
+      const std::size_t i = first + k;
+      grid.for_each_near(s_.x[i], [&](Index m) {
+        const std::size_t j = first + m;
+        const double limit = s_.r[i] + s_.r[j] + skin_;
+        if (j < i && (s_.x[i] - s_.x[j]).squaredNorm() < limit * limit) near_[i].push_back(Index(j));
+      });
     });
+    first = end;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t larger = near_[i].size();   // before those that follow enter themselves
     std::sort(near_[i].begin(), near_[i].end());
-  });
+    for (std::size_t k = 0; k < larger; ++k) near_[near_[i][k]].push_back(Index(i));
+  }
 }
 
 /// All overlapping pairs, and of the others those with the smallest gaps over s, until there are `pairs`. Walls within
@@ -177,7 +207,7 @@ void Rearrangement::find_nearest(std::size_t pairs) {
   });
   for_all(n, settings_.threads, [&](std::size_t i) {
     touching_[i] = std::uint8_t(region_.walls_near(s_.x[i], s_.r[i], limit));
-    s_.x[i] = region_.confine(s_.x[i], s_.r[i], touching_[i]);
+    confine(i, s_.x[i]);
   });
 }
 
@@ -199,6 +229,7 @@ void Rearrangement::forces(double scale) {
     energy_of_[i] = energy;
   });
   energy_ = ordered_sum(s_.size(), settings_.threads, [&](std::size_t i) { return energy_of_[i]; });
+  largest_energy_ = *std::max_element(energy_of_.begin(), energy_of_.end());
 }
 
 }  // namespace breccia::collective_rearrangement

@@ -49,6 +49,7 @@ class Rearrangement {
   void find_nearest(std::size_t pairs);
   void forces(double scale);
   bool advance(double step, double mixing, double ratio);
+  void confine(std::size_t i, const Vec3& wanted);
 
   const Region& region_;
   Settings settings_;
@@ -57,8 +58,9 @@ class Rearrangement {
   std::vector<Vec3> velocity_, force_, listed_at_;
   std::vector<std::vector<Index>> near_;
   std::vector<double> energy_of_;
+  std::vector<double> room_;             // how far a sphere can move before the walls must be looked at again [m]
   std::vector<std::uint8_t> touching_;   // walls that a sphere is to touch, as bits
-  double energy_ = 0, skin_ = 0;
+  double energy_ = 0, largest_energy_ = 0, skin_ = 0;
   bool closing_ = false;   // gaps count too, and `near_` is the set of pairs to be drawn together
 };
 

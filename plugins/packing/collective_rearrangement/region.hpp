@@ -8,6 +8,12 @@
 
 namespace breccia::collective_rearrangement {
 
+/// Where a sphere was put.
+struct Confined {
+  Vec3 x;        ///< centre [m]
+  double room;   ///< it keeps inside while it moves less than this; negative when no place for it was found [m]
+};
+
 class Region {
  public:
   virtual ~Region() = default;
@@ -15,13 +21,12 @@ class Region {
   virtual double largest_radius() const = 0;      ///< no larger sphere can fit [m]
   virtual SpecimenShape::Outline outline() const = 0;
   virtual Vec3 axis() const = 0;
-  /// A place for the centre of a sphere of radius r [m], from three numbers in [0, 1).
+  /// A place for the centre of a sphere of radius r [m], from three numbers in [0, 1). UserError when none is found.
   virtual Vec3 place(double r, double a, double b, double c) const = 0;
   /// A bit for each wall that is at most (1 + gap) r away.
   virtual unsigned walls_near(const Vec3& x, double r, double gap) const = 0;
-  /// The centre nearest to x at which a sphere of radius r [m] keeps inside, as far as one exists, and touches the walls
-  /// of these bits.
-  virtual Vec3 confine(const Vec3& x, double r, unsigned touching = 0) const = 0;
+  /// The centre nearest to x at which a sphere of radius r [m] keeps inside and touches the walls of these bits.
+  virtual Confined confine(const Vec3& x, double r, unsigned touching) const = 0;
   /// How far inside a point is; negative outside [m].
   virtual double depth(const Vec3& x) const = 0;
   /// Grown outward by a margin [m], flat ends only if `ends`; in the same coordinates.
@@ -45,8 +50,9 @@ class ContainerRegion final : public Region {
       if (walls[w].distance <= (1 + gap) * r) bits |= 1u << w;
     return bits;
   }
-  Vec3 confine(const Vec3& x, double r, unsigned touching) const override {
-    return origin_ + container_.project(x - origin_, r, touching);
+  Confined confine(const Vec3& x, double r, unsigned touching) const override {
+    const Vec3 p = origin_ + container_.project(x - origin_, r, touching);
+    return {p, depth(p) - r};
   }
   double depth(const Vec3& x) const override {
     Container::Walls walls;

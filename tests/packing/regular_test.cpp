@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Lattices: distances, neighbours and porosities of the textbooks, counted here.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "host.hpp"
+#include "plugin_under_test.hpp"
+
+namespace breccia {
+namespace {
+
+constexpr const char* plugin = BRECCIA_REGULAR_PLUGIN;
+
+PackedParticles lattice(const Json& config, int dimension) {
+  TestHost host;
+  return test::make<Packing>(plugin, config)->generate({dimension, 0.5, 1}, host);
+}
+
+struct Kind {
+  const char* name;
+  int dimension, neighbours;
+  double porosity;
+};
+// Void fractions: 1 - pi/6, 1 - sqrt(3) pi/8, 1 - pi/sqrt(18) twice, 1 - pi/4, 1 - pi/sqrt(12).
+const Kind kinds[] = {{"sc", 3, 6, 0.476401},  {"bcc", 3, 8, 0.319825},    {"fcc", 3, 12, 0.259520},
+                      {"hcp", 3, 12, 0.259520}, {"square", 2, 4, 0.214602}, {"hexagonal", 2, 6, 0.093100}};
+
+TEST(Regular, DistancesNeighboursAndPorosity) {
+  for (const Kind& k : kinds)
+    for (const double gap : {0.0, 0.05, -0.02}) {
+      SCOPED_TRACE(std::string(k.name) + " with a gap of " + std::to_string(gap));
+      const double side = 23;   // in radii of 1
+      Json size = {side, side};
+      if (k.dimension == 3) size.push_back(side);
+      const PackedParticles p = lattice(
+          {{"lattice", k.name}, {"container", {{"shape", "box"}, {"size", size}}}, {"radius", 1.0}, {"gap", gap}}, k.dimension);
+      const double nearest = 2 * (1 + gap);
+      const Vec3 middle = k.dimension == 2 ? Vec3(0, side / 2, 0) : Vec3(0, 0, side / 2);
+      double closest = 1e9;
+      std::size_t inner = 0;
+      for (std::size_t i = 0; i < p.radius.size(); ++i) {
+        const bool inside = (p.position[i] - middle).cwiseAbs().maxCoeff() < 5;
+        int touching = 0;
+        for (std::size_t j = 0; j < p.radius.size(); ++j) {
+          if (i == j) continue;
+          const double d = (p.position[i] - p.position[j]).norm();
+          closest = std::min(closest, d);
+          touching += d < nearest * (1 + 1e-9);
+        }
+        if (!inside) continue;
+        ++inner;
+        ASSERT_EQ(touching, k.neighbours) << p.position[i].transpose();
+      }
+      EXPECT_GT(inner, 10u);
+      EXPECT_NEAR(closest, nearest, 1e-9);
+      // The centres lie in a box that is smaller by a radius at each side, and fill it but for a layer thinner than one
+      // cell (at most 2 sqrt(8/3) radii wide) at the far sides; each has the volume of the lattice's.
+      const double each = k.dimension == 2 ? std::numbers::pi : 4 * std::numbers::pi / 3;
+      const double own = each / (1 - k.porosity) * std::pow(1 + gap, k.dimension);   // m2 or m3 of the lattice
+      const double cell = 4 * std::sqrt(3.0) / 2 * (1 + gap);
+      const double filled = double(p.radius.size()) * own;
+      EXPECT_LE(filled, std::pow(side - 2 + cell, k.dimension));
+      EXPECT_GE(filled, std::pow(side - 2 - cell, k.dimension));
+    }
+}
+
+/// Between two boxes of a whole number of cells, the spheres added fill the volume added but for the surface: here the
+/// count itself, by hand. Box of n cells of edge a and of one diameter more: fcc has 4 n^3 + 6 n^2 + 3 n + 1 sites.
+TEST(Regular, CountsOfWholeCellsByHand) {
+  const auto count = [](const char* name, const std::vector<double>& cells, const Vec3& edge) {
+    std::vector<double> size;
+    for (std::size_t k = 0; k < cells.size(); ++k) size.push_back(2 + cells[k] * edge[int(k)]);   // radius 1
+    return lattice({{"lattice", name}, {"container", {{"shape", "box"}, {"size", size}}}, {"radius", 1.0}},
+                   int(cells.size())).radius.size();
+  };
+  const double root2 = std::numbers::sqrt2, root3 = std::numbers::sqrt3;
+  EXPECT_EQ(count("sc", {6, 6, 6}, Vec3(2, 2, 2)), 343u);
+  EXPECT_EQ(count("bcc", {5, 5, 5}, Vec3::Constant(4 / root3)), 216u + 125u);
+  EXPECT_EQ(count("fcc", {5, 5, 5}, Vec3::Constant(2 * root2)), 4u * 125 + 6 * 25 + 3 * 5 + 1);
+  EXPECT_EQ(count("square", {6, 4}, Vec3(2, 2, 0)), 35u);
+  // Rows of 7 and 6 by turns, 9 rows.
+  EXPECT_EQ(count("hexagonal", {6, 4}, Vec3(2, 2 * root3, 0)), 5u * 7 + 4 * 6);
+  // Layers A of rows 7, 6, 7, 6, 7 and B, a third of the cell up y: rows 7 and 6 by turns, of which four fit.
+  EXPECT_EQ(count("hcp", {6, 2, 1}, Vec3(2, 2 * root3, 2 * std::sqrt(8.0 / 3))), 2u * (3 * 7 + 2 * 6) + (2 * 7 + 2 * 6));
+}
+
+TEST(Regular, ABoxOfExactlyTenDiametersHoldsAThousand) {
+  const PackedParticles p = lattice(
+      {{"lattice", "sc"}, {"container", {{"shape", "box"}, {"size", {0.02, 0.02, 0.02}}}}, {"radius", 1e-3}}, 3);
+  EXPECT_EQ(p.radius.size(), 1000u);
+  EXPECT_NEAR(got(p, "porosity"), 1 - std::numbers::pi / 6, 1e-12);
+  EXPECT_NEAR(p.container_volume, 8e-6, 1e-18);
+  double low = 1;
+  for (const Vec3& x : p.position) low = std::min(low, x.z());
+  EXPECT_NEAR(low, 1e-3, 1e-15);
+}
+
+TEST(Regular, EveryContainerHoldsWholeSpheresOnly) {
+  const PackedParticles cylinder = lattice(
+      {{"lattice", "hcp"}, {"container", {{"shape", "cylinder"}, {"diameter", 0.02}, {"height", 0.03}}}, {"radius", 1e-3}}, 3);
+  bool on_axis = false;
+  for (const Vec3& x : cylinder.position) {
+    ASSERT_LE(std::hypot(x.x(), x.y()), 0.009 * (1 + 1e-9));
+    ASSERT_GE(x.z(), 0.001 * (1 - 1e-9));
+    ASSERT_LE(x.z(), 0.029 * (1 + 1e-9));
+    on_axis = on_axis || x == Vec3(0, 0, 1e-3);
+  }
+  EXPECT_TRUE(on_axis);
+  // By volume: 60 % to 74.05 % of the cylinder.
+  EXPECT_GT(got(cylinder, "porosity"), 0.2595);
+  EXPECT_LT(got(cylinder, "porosity"), 0.40);
+
+  const PackedParticles disc =
+      lattice({{"lattice", "hexagonal"}, {"container", {{"shape", "sphere"}, {"diameter", 0.006}}}, {"radius", 1e-3}}, 2);
+  EXPECT_EQ(disc.radius.size(), 7u);   // one and a ring of six, just fitting
+  EXPECT_NEAR(disc.container_volume, 0.5 * std::numbers::pi / 4 * 36e-6, 1e-15);
+  const PackedParticles ball =
+      lattice({{"lattice", "fcc"}, {"container", {{"shape", "sphere"}, {"diameter", 0.006}}}, {"radius", 1e-3}}, 3);
+  EXPECT_EQ(ball.radius.size(), 13u);   // one and its twelve neighbours, just fitting
+}
+
+TEST(Regular, MistakesAreNamed) {
+  Json j = {{"lattice", "square"}, {"container", {{"shape", "box"}, {"size", {0.02, 0.02, 0.02}}}}, {"radius", 1e-3}};
+  EXPECT_EQ(test::user_error([&] { lattice(j, 3); }), "in three dimensions the lattice is sc, bcc, fcc or hcp");
+  j["lattice"] = "fcc";
+  EXPECT_EQ(test::user_error([&] { lattice(j, 2); }), "in two dimensions the lattice is square or hexagonal");
+  j["radius"] = 1e-6;
+  EXPECT_NE(test::user_error([&] { lattice(j, 3); }).find("use a larger radius"), std::string::npos);
+  j["radius"] = 0.011;
+  const Issues issues = test::issues_of(plugin, j);
+  ASSERT_EQ(issues.size(), 1u);
+  EXPECT_EQ(issues[0].path, "radius");
+}
+
+}  // namespace
+}  // namespace breccia
