@@ -4,18 +4,11 @@
 #include <algorithm>
 
 #include "cli/console.hpp"
+#include "cli/renderer_settings.hpp"
 #include "cli/verbs.hpp"
-#include "config/reader.hpp"
 
 namespace breccia::cli {
 namespace {
-
-struct ChartConfig {
-  PluginChoice renderer;
-  static void describe(Schema<ChartConfig>& s) {
-    s.param("renderer", &ChartConfig::renderer).kind("renderer").doc("settings of the renderer");
-  }
-};
 
 /// None when the user named no renderer and this installation has no pictures.
 std::optional<PluginChoice> charts(const CompareArguments& a, const Registry& registry, Host& host) {
@@ -29,12 +22,7 @@ std::optional<PluginChoice> charts(const CompareArguments& a, const Registry& re
       return {};
     }
   }
-  Schema<ChartConfig> schema;
-  ChartConfig::describe(schema);
-  std::vector<std::string> overrides;
-  for (const std::string& o : a.overrides) overrides.push_back("renderer." + o);
-  return schema.load(read_config("renderer: {type: " + type + "}\n", "--renderer", schema.documentation().root, registry, overrides))
-      .renderer;
+  return renderer_settings(type, a.overrides, registry);
 }
 
 }  // namespace

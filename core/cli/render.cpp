@@ -7,22 +7,15 @@
 #include <sstream>
 
 #include "cli/console.hpp"
+#include "cli/renderer_settings.hpp"
 #include "cli/verbs.hpp"
-#include "config/reader.hpp"
 
 namespace breccia::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// One renderer, with the settings that the run's own workflow had if it used it, and --set on top.
-struct RenderConfig {
-  PluginChoice renderer;
-  static void describe(Schema<RenderConfig>& s) {
-    s.param("renderer", &RenderConfig::renderer).kind("renderer").doc("settings of the renderer");
-  }
-};
-
+/// Those that the run's own workflow had if it used this renderer; else the defaults with --set on top.
 PluginChoice settings(const RenderArguments& a, Registry& registry) {
   const fs::path resolved = a.source / "resolved.yaml";
   if (fs::is_directory(a.source) && fs::exists(resolved)) {
@@ -30,12 +23,7 @@ PluginChoice settings(const RenderArguments& a, Registry& registry) {
     for (const PluginChoice& r : loaded.workflow.renderers)
       if (r.type == a.renderer && a.overrides.empty()) return r;
   }
-  Schema<RenderConfig> schema;
-  RenderConfig::describe(schema);
-  std::vector<std::string> overrides;
-  for (const std::string& o : a.overrides) overrides.push_back("renderer." + o);
-  const std::string text = "renderer: {type: " + a.renderer + "}\n";
-  return schema.load(read_config(text, "--renderer", schema.documentation().root, registry, overrides)).renderer;
+  return renderer_settings(a.renderer, a.overrides, registry);
 }
 
 }  // namespace

@@ -169,11 +169,12 @@ TEST_F(Cli, ListDescribeSchema) {
 TEST_F(Cli, ShippedWorkflowsAreValidAndTheSchemaIsCurrent) {
   std::string files;
   for (const auto& entry : fs::recursive_directory_iterator(BRECCIA_SOURCE_DIR "/workflows"))
-    if (entry.path().extension() == ".yaml") files += " '" + entry.path().string() + "'";
+    if (entry.path().extension() == ".yaml" && entry.path().parent_path().filename() != "base") files += " '" + entry.path().string() + "'";
   ASSERT_FALSE(files.empty());
   const Result r = call("validate" + files);
   EXPECT_EQ(r.code, 0) << r.text;
-  EXPECT_EQ(call("schema").text, content(BRECCIA_SOURCE_DIR "/docs/workflow.schema.json")) << "breccia schema > docs/workflow.schema.json";
+  EXPECT_TRUE(call("schema").text == content(BRECCIA_SOURCE_DIR "/docs/workflow.schema.json"))
+      << "renew it: breccia schema > docs/workflow.schema.json";
 }
 
 }  // namespace
