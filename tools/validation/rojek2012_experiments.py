@@ -22,20 +22,20 @@ EXPERIMENTS = [
         ("strain counted from the first step", SPECIMEN1, "no_seating", ["protocol.seating_stress=0 Pa"]),
         ("strain counted from 5 MPa", SPECIMEN1, "seating_5MPa", ["protocol.seating_stress=5 MPa"]),
     ]),
-    ("Which pairs are bonded", [
-        ("specimen 1, nearest by the gap", SPECIMEN1, "", []),
-        ("specimen 1, by the relative gap", SPECIMEN1, "relative", ["bonding.nearest_by=relative_gap"]),
-        ("specimen 2, nearest by the gap", SPECIMEN2, "", []),
-        ("specimen 2, by the relative gap", SPECIMEN2, "relative", ["bonding.nearest_by=relative_gap"]),
+    ("Specimen 1: which pairs are bonded, how it is packed, the free length of broken bonds", [
+        ("as in the workflow", SPECIMEN1, "", []),
+        ("nearest by the relative gap", SPECIMEN1, "relative", ["bonding.nearest_by=relative_gap"]),
+        ("neighbours uncorrelated in size", SPECIMEN1, "uncorrelated", ["packing.neighbour_size_correlation=0"]),
+        ("free length of broken bonds: touching", SPECIMEN1, "touching", ["contact_law.broken_rest_length=touching"]),
     ]),
-    ("How the particles were packed", [
-        ("specimen 1, neighbours uncorrelated in size", SPECIMEN1, "uncorrelated", ["packing.neighbour_size_correlation=0"]),
-        ("specimen 2, packed 3 mm wider and cut", SPECIMEN2, "cut", ["packing.margin=3 mm"]),
-        ("specimen 2, nearest pairs drawn together", SPECIMEN2, "drawn", ["packing.neighbours_per_particle=10.7127", "packing.overlap_tolerance=45 %"]),
-    ]),
-    ("Free length of broken bonds", [
-        ("distance when bonded (default)", SPECIMEN1, "", []),
-        ("touching", SPECIMEN1, "touching", ["contact_law.broken_rest_length=touching"]),
+    ("Specimen 2: which pairs are bonded, how it is packed (loaded to 0.6 % only)", [
+        ("as in the workflow", SPECIMEN2, "hull_3", [ELASTIC, STRAIN + "3"]),
+        ("nearest by the relative gap", SPECIMEN2, "relative", [ELASTIC, "bonding.nearest_by=relative_gap"]),
+        ("packed 3 mm wider and cut", SPECIMEN2, "cut", [ELASTIC, "packing.margin=3 mm"]),
+        ("nearest pairs drawn together", SPECIMEN2, "drawn",
+         [ELASTIC, "packing.neighbours_per_particle=10.7127", "packing.overlap_tolerance=45 %"]),
+        ("uniform radii, 27.5 % porosity", SPECIMEN2, "uniform",
+         [ELASTIC, "packing.radius={distribution: uniform, min: 0.1151885 mm, max: 1.2399406 mm}", "packing.particles=6294"]),
     ]),
     ("Strain measure: how much of the triangulation's outline counts (loaded to 0.6 % only)", [
         (f"specimen {s}, `hull_gap` {gap}", w, f"hull_{gap}", [ELASTIC, STRAIN + gap])

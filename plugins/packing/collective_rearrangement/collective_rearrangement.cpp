@@ -93,37 +93,27 @@ class CollectiveRearrangement final : public Packing {
 
   PackedParticles generate(const PackingRequest& request, Host& host) override {
     const int dimension = request.dimension;
-    const int threads = std::max(1, host.threads());
-    const std::unique_ptr<Region> region = make_region(dimension, threads);
+    const std::unique_ptr<Region> region = make_region(dimension, std::max(1, host.threads()));
     const RadiusLaw law = config_.radius.law();
     const std::size_t wanted = config_.particles ? std::size_t(*config_.particles)
                                                  : number_for(*config_.porosity, law, region->measure(), dimension);
     const bool ends = !config_.flat_ends;
     const std::unique_ptr<Region> larger = config_.margin > 0 ? region->grown(config_.margin, ends) : nullptr;
-    const double enlarged = larger ? larger->measure() / region->measure() : 1.0;
-    const auto packed_number = std::size_t(std::llround(double(wanted) * enlarged));
-    std::vector<double> radii = quantile_radii(law, packed_number);
-    if (radii.back() > region->largest_radius())
-      throw UserError(text("the largest particle, of radius %.4g m, does not fit into the space to be filled", radii.back()));
-    const double solid = solid_measure(radii, dimension);
-    if (packed_number > 1 && solid > 0.95 * (larger ? *larger : *region).measure())
-      throw UserError(text("%zu particles of these radii have %.3g of the volume to be filled: use fewer or smaller ones",
-                           packed_number, solid / (larger ? *larger : *region).measure()));
-
-    Settings settings{int(config_.max_iterations), config_.tolerance, threads};
-    Rearrangement rearrangement(larger ? *larger : *region, std::move(radii), request.seed, settings, host);
-    Outcome outcome = rearrangement.run();
-    if (config_.neighbours_per_particle) {
-      const Outcome closed = rearrangement.close(
-          std::size_t(std::llround(0.5 * *config_.neighbours_per_particle * double(packed_number))));
-      outcome = {outcome.converged && closed.converged, outcome.iterations + closed.iterations};
+    const Region& space = larger ? *larger : *region;
+    auto packed_number = std::size_t(std::llround(double(wanted) * space.measure() / region->measure()));
+    Outcome outcome;
+    Cut cut;
+    for (int attempt = 1;; ++attempt) {
+      cut.spheres = rearrange(space, quantile_radii(law, packed_number), request, host, outcome);
+      if (!larger) break;
+      cut = cut_out(cut.spheres, *region, config_.margin, ends, dimension, wanted,
+                    solid_measure(quantile_radii(law, wanted), dimension), request.seed);
+      if (cut.spheres.size() == wanted || attempt == most_attempts || cut.mean_number == 0) break;
+      // Along its walls the larger packing is looser than inside: there it has more than its share.
+      packed_number = std::size_t(std::llround(double(packed_number) * double(wanted) / cut.mean_number));
     }
     if (!outcome.converged)
       host.warn("the packing still improved when max_iterations was reached: raise it for a better one");
-    Cut cut{rearrangement.spheres(), Vec3::Zero()};
-    if (larger)
-      cut = cut_out(cut.spheres, *region, config_.margin, ends, dimension, wanted, solid / enlarged, request.seed);
-
     if (cut.spheres.size() == 0)
       throw UserError("no particle has its centre in the specimen cut out: use more or smaller ones, or a smaller margin");
     const Quality q = measure(cut.spheres, region->measure(), dimension);
@@ -145,6 +135,29 @@ class CollectiveRearrangement final : public Packing {
   }
 
  private:
+  static constexpr int most_attempts = 3;   // to cut out the number asked for
+
+  Spheres rearrange(const Region& space, std::vector<double> radii, const PackingRequest& request, Host& host,
+                    Outcome& outcome) const {
+    const std::size_t n = radii.size();
+    if (n == 0) throw UserError("not one particle goes into the space to be filled: use smaller ones");
+    if (radii.back() > space.largest_radius())
+      throw UserError(text("the largest particle, of radius %.4g m, does not fit into the space to be filled", radii.back()));
+    const double share = solid_measure(radii, request.dimension) / space.measure();
+    if (n > 1 && share > 0.95)
+      throw UserError(text("%zu particles of these radii have %.3g of the volume to be filled: use fewer or smaller ones",
+                           n, share));
+    Rearrangement rearrangement(space, std::move(radii), request.seed,
+                                {int(config_.max_iterations), config_.tolerance, std::max(1, host.threads())}, host);
+    outcome = rearrangement.run();
+    if (config_.neighbours_per_particle) {
+      const Outcome closed =
+          rearrangement.close(std::size_t(std::llround(0.5 * *config_.neighbours_per_particle * double(n))));
+      outcome = {outcome.converged && closed.converged, outcome.iterations + closed.iterations};
+    }
+    return rearrangement.spheres();
+  }
+
   std::unique_ptr<Region> make_region(int dimension, int threads) const {
     if (!config_.mesh) return std::make_unique<ContainerRegion>(config_.container->make(dimension));
     if (dimension == 2) throw UserError("a mesh cannot be packed in two dimensions: use a container");

@@ -30,12 +30,13 @@ Cut cut_out(const Spheres& all, const Region& region, double margin, bool ends, 
   for (std::size_t i = 0; i < all.size(); ++i) depth[i] = region.depth(all.x[i]);
   Cut best;
   std::size_t best_miss = all.size() + 1;
-  double best_solid = 0;
+  double best_solid = 0, mean_number = 0;
   for (int k = 0; k < places; ++k) {
     Vec3 place = 0.5 * margin * Vec3(uniform(), uniform(), uniform()) / std::sqrt(3.0);
     if (dimension == 2) place.z() = 0;
     if (!ends) place -= place.dot(axis) * axis;
     const std::vector<std::size_t> kept = inside(all, depth, region, place);
+    mean_number += double(kept.size()) / places;
     const std::size_t miss = kept.size() > wanted ? kept.size() - wanted : wanted - kept.size();
     if (miss > best_miss) continue;
     Spheres s;
@@ -45,10 +46,11 @@ Cut cut_out(const Spheres& all, const Region& region, double margin, bool ends, 
     }
     const double solid = std::abs(solid_measure(s.r, dimension) - wanted_solid);
     if (miss == best_miss && solid >= best_solid) continue;
-    best = {std::move(s), place};
+    best.spheres = std::move(s);
     best_miss = miss;
     best_solid = solid;
   }
+  best.mean_number = mean_number;
   return best;
 }
 

@@ -3,14 +3,12 @@
 
 #ifdef BRECCIA_HAS_VTK
 
-#include <omp.h>
+#include <vtkCellArray.h>
 #include <vtkCleanPolyData.h>
 #include <vtkFeatureEdges.h>
-#include <vtkImplicitPolyDataDistance.h>
-#include <vtkMassProperties.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkObject.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkSTLReader.h>
@@ -24,6 +22,7 @@
 #include <fstream>
 
 #include "breccia/packing_tools/parallel.hpp"
+#include "surface.hpp"
 
 namespace breccia::collective_rearrangement {
 
@@ -92,21 +91,10 @@ void refuse_open(vtkPolyData* surface, const std::filesystem::path& file) {
 
 class MeshRegion final : public Region {
  public:
-  MeshRegion(vtkSmartPointer<vtkPolyData> surface, int threads, double margin = 0)
-      : surface_(std::move(surface)), margin_(margin) {
-    // VTK's function and its data keep buffers: each thread has its own.
-    for (int k = 0; k < threads; ++k) {
-      vtkNew<vtkPolyData> own;
-      own->DeepCopy(surface_);
-      distance_.push_back(vtkSmartPointer<vtkImplicitPolyDataDistance>::New());
-      distance_.back()->SetInput(own);
-    }
-    double b[6];
-    surface_->GetBounds(b);
-    low_ = Vec3(b[0], b[2], b[4]) - Vec3::Constant(margin_);
-    high_ = Vec3(b[1], b[3], b[5]) + Vec3::Constant(margin_);
-    volume_ = margin_ > 0 ? counted_volume() : enclosed_volume();
-  }
+  MeshRegion(std::shared_ptr<const Surface> surface, int threads, double margin = 0)
+      : surface_(std::move(surface)), threads_(threads), margin_(margin),
+        low_(surface_->low() - Vec3::Constant(margin)), high_(surface_->high() + Vec3::Constant(margin)),
+        volume_(margin > 0 ? counted_volume() : surface_->volume()) {}
 
   double measure() const override { return volume_; }
   double largest_radius() const override { return 0.5 * (high_ - low_).minCoeff(); }
@@ -141,65 +129,56 @@ class MeshRegion final : public Region {
   Confined confine(const Vec3& x, double r, unsigned touching) const override {
     Confined p{x, 0};
     Vec3 inward;
-    p.room = depth(p.x, &inward) - r;
+    p.room = depth(p.x, inward) - r;
     for (int k = 0; k < confine_steps && (p.room < -1e-9 * r || (touching && p.room > 1e-9 * r)); ++k) {
       p.x -= p.room * inward;
-      p.room = depth(p.x, &inward) - r;
+      p.room = depth(p.x, inward) - r;
     }
     return p;
   }
 
-  double depth(const Vec3& x) const override { return depth(x, nullptr); }
+  double depth(const Vec3& x) const override {
+    Vec3 ignored;
+    return depth(x, ignored);
+  }
 
   std::unique_ptr<Region> grown(double margin, bool) const override {
-    return std::make_unique<MeshRegion>(surface_, int(distance_.size()), margin_ + margin);
+    return std::make_unique<MeshRegion>(surface_, threads_, margin_ + margin);
   }
 
  private:
-  /// VTK's distance is positive outside; its gradient points away from the surface.
-  double depth(const Vec3& x, Vec3* inward) const {
-    vtkImplicitPolyDataDistance* distance = distance_[std::size_t(omp_get_thread_num())];
-    Vec3 at = x, nearest;
-    const double value = distance->EvaluateFunctionAndGetClosestPoint(at.data(), nearest.data());
-    if (inward) {
-      *inward = (nearest - x) / value;
-      if (!(std::abs(inward->norm() - 1) < 1e-3)) {   // on the surface itself, where the difference is rounding
-        distance->EvaluateGradient(at.data(), inward->data());
-        *inward = -inward->normalized();
-      }
-    }
-    return margin_ - value;
-  }
-
-  double enclosed_volume() const {
-    vtkNew<vtkMassProperties> mass;
-    mass->SetInputData(surface_);
-    mass->Update();
-    return mass->GetVolume();
-  }
+  double depth(const Vec3& x, Vec3& inward) const { return margin_ + surface_->depth(x, inward); }
 
   double counted_volume() const {
     const Vec3 cell = (high_ - low_) / samples_per_side;
     const std::size_t layer = std::size_t(samples_per_side) * samples_per_side;
-    const double inside = ordered_sum(layer * samples_per_side, int(distance_.size()), [&](std::size_t k) {
+    const double inside = ordered_sum(layer * samples_per_side, threads_, [&](std::size_t k) {
       const Vec3 at(double(k % samples_per_side), double(k % layer / samples_per_side), double(k / layer));
       return depth(low_ + cell.cwiseProduct(at + Vec3::Constant(0.5))) > 0 ? 1.0 : 0.0;
     });
     return inside * cell.prod();
   }
 
-  vtkSmartPointer<vtkPolyData> surface_;
-  std::vector<vtkSmartPointer<vtkImplicitPolyDataDistance>> distance_;   // by thread
-  double margin_ = 0, volume_ = 0;
-  Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();
+  std::shared_ptr<const Surface> surface_;
+  int threads_;
+  double margin_;
+  Vec3 low_, high_;
+  double volume_;
 };
 
 }  // namespace
 
 std::unique_ptr<Region> read_mesh(const MeshConfig& config, int threads) {
-  const auto surface = prepared(read_surface(config.file), config.length_unit);
-  refuse_open(surface, config.file);
-  return std::make_unique<MeshRegion>(surface, threads);
+  const auto mesh = prepared(read_surface(config.file), config.length_unit);
+  refuse_open(mesh, config.file);
+  std::vector<Vec3> points(std::size_t(mesh->GetNumberOfPoints()));
+  for (std::size_t k = 0; k < points.size(); ++k) mesh->GetPoint(vtkIdType(k), points[k].data());
+  std::vector<Surface::Triangle> triangles;
+  vtkNew<vtkIdList> corners;
+  for (mesh->GetPolys()->InitTraversal(); mesh->GetPolys()->GetNextCell(corners);)
+    triangles.push_back({std::size_t(corners->GetId(0)), std::size_t(corners->GetId(1)), std::size_t(corners->GetId(2))});
+  if (triangles.empty()) throw UserError("cannot read " + config.file.string() + ": all its triangles are degenerate");
+  return std::make_unique<MeshRegion>(std::make_shared<const Surface>(std::move(points), std::move(triangles)), threads);
 }
 
 }  // namespace breccia::collective_rearrangement

@@ -22,6 +22,7 @@ constexpr int check_every = 50;
 constexpr int closing_rounds = 30, closing_iterations = 100;
 constexpr double closing_reach = 0.5;                    // gaps over s that can be drawn together at all
 // FIRE, in units in which the stiffest mode has a frequency of order one.
+constexpr double usual_stiffness = 3;                    // times 1/r^2: of twelve neighbours of the same size
 constexpr double first_step = 0.1, longest_step = 1.0, mixing_start = 0.1;
 
 /// Uniform in [0, 1), the same on every platform, unlike std::uniform_real_distribution.
@@ -95,8 +96,10 @@ Outcome Rearrangement::relax(double scale, int max_iterations, double tolerance)
       mixing = mixing_start;
       downhill = 0;
     } else {
-      const double vv = ordered_sum(n, settings_.threads, [&](std::size_t i) { return velocity_[i].squaredNorm() / (s_.r[i] * s_.r[i]); });
-      const double ff = ordered_sum(n, settings_.threads, [&](std::size_t i) { return force_[i].squaredNorm() * s_.r[i] * s_.r[i]; });
+      const double vv = ordered_sum(n, settings_.threads,
+                                    [&](std::size_t i) { return velocity_[i].squaredNorm() / mobility_[i]; });
+      const double ff = ordered_sum(n, settings_.threads,
+                                    [&](std::size_t i) { return force_[i].squaredNorm() * mobility_[i]; });
       ratio = ff > 0 ? std::sqrt(vv / ff) : 0;
       if (++downhill > 5) {
         step = std::min(1.1 * step, longest_step);
@@ -118,9 +121,9 @@ Outcome Rearrangement::relax(double scale, int max_iterations, double tolerance)
 bool Rearrangement::advance(double step, double mixing, double ratio) {
   const std::size_t n = s_.size();
   for_all(n, settings_.threads, [&](std::size_t i) {
-    const double r = s_.r[i], mobility = r * r;
+    const double r = s_.r[i];
     Vec3& v = velocity_[i];
-    v = (1 - mixing) * v + (mixing * ratio + step) * mobility * force_[i];
+    v = (1 - mixing) * v + (mixing * ratio + step) * mobility_[i] * force_[i];
     Vec3 d = step * v;
     const double length = d.norm();
     if (length > longest_move * r) d *= longest_move * r / length;
@@ -178,6 +181,17 @@ void Rearrangement::find_neighbours() {
     std::sort(near_[i].begin(), near_[i].end());
     for (std::size_t k = 0; k < larger; ++k) near_[near_[i][k]].push_back(Index(i));
   }
+  find_mobilities();
+}
+
+void Rearrangement::find_mobilities() {
+  mobility_.resize(s_.size());
+  for_all(s_.size(), settings_.threads, [&](std::size_t i) {
+    double stiffness = 0;
+    for (const Index j : near_[i]) stiffness += 1 / ((s_.r[i] + s_.r[j]) * (s_.r[i] + s_.r[j]));
+    const double r = s_.r[i];
+    mobility_[i] = r * r / std::max(1.0, r * r * stiffness / usual_stiffness);
+  });
 }
 
 /// All overlapping pairs, and of the others those with the smallest gaps over s, until there are `pairs`. Walls within
@@ -209,6 +223,7 @@ void Rearrangement::find_nearest(std::size_t pairs) {
     touching_[i] = std::uint8_t(region_.walls_near(s_.x[i], s_.r[i], limit));
     confine(i, s_.x[i]);
   });
+  find_mobilities();
 }
 
 /// Each sphere adds up its own pairs in a fixed order: every pair is met twice, and no result depends on the threads.

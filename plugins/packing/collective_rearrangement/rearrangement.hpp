@@ -3,7 +3,8 @@
 ///
 /// Energy: 1/2 sum over overlapping pairs of (1 - d/s)^2, s = r_i + r_j. The radii grow from a fraction in steps; at each
 /// size the energy is minimised with FIRE (Bitzek et al. 2006, Phys. Rev. Lett. 97, 170201), each sphere with a mass of
-/// 1/r^2, so that small and large ones move at the same pace measured in their own radii. Walls are rigid.
+/// 1/r^2, so that small and large ones move at the same pace measured in their own radii; a large one among many small
+/// ones is heavier by as much as they make it stiffer. Walls are rigid.
 ///
 /// After that the nearest pairs can be drawn together: the same energy over a set of pairs that holds all overlapping
 /// ones and those with the smallest gaps, now counting gaps as well (the objective of Labra and Oñate 2009 with the
@@ -46,6 +47,7 @@ class Rearrangement {
  private:
   Outcome relax(double scale, int max_iterations, double tolerance);
   void find_neighbours();
+  void find_mobilities();
   void find_nearest(std::size_t pairs);
   void forces(double scale);
   bool advance(double step, double mixing, double ratio);
@@ -58,6 +60,7 @@ class Rearrangement {
   std::vector<Vec3> velocity_, force_, listed_at_;
   std::vector<std::vector<Index>> near_;
   std::vector<double> energy_of_;
+  std::vector<double> mobility_;         // 1/mass, in units in which a pair's energy is a pure number [m2]
   std::vector<double> room_;             // how far a sphere can move before the walls must be looked at again [m]
   std::vector<std::uint8_t> touching_;   // walls that a sphere is to touch, as bits
   double energy_ = 0, largest_energy_ = 0, skin_ = 0;

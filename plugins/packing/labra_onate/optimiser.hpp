@@ -15,7 +15,7 @@ struct OptimiserSettings {
   int max_iterations = 200;     ///< of each stage
   double tolerance = 1e-4;      ///< a stage ends when the energy falls by less than this share, three times in a row
   int threads = 1;
-  std::optional<double> size_correlation;   ///< of neighbours, to be set up between arranging and optimising
+  std::optional<double> size_correlation = {};   ///< of neighbours, to be set up between arranging and optimising
 };
 
 /// The energy of a stage after each accepted step, and how it ended.

@@ -16,22 +16,21 @@ enum class Lattice { simple_cubic, body_centred_cubic, face_centred_cubic, hexag
 struct Cell {
   Vec3 size;
   std::vector<Vec3> sites;
-  int neighbours;   ///< of a sphere inside
 };
 
 Cell cell_of(Lattice lattice) {
   const double root2 = std::numbers::sqrt2, root3 = std::numbers::sqrt3;
   switch (lattice) {
-    case Lattice::simple_cubic: return {Vec3(1, 1, 1), {Vec3(0, 0, 0)}, 6};
+    case Lattice::simple_cubic: return {Vec3(1, 1, 1), {Vec3(0, 0, 0)}};
     case Lattice::body_centred_cubic:
-      return {Vec3::Constant(2 / root3), {Vec3(0, 0, 0), Vec3(0.5, 0.5, 0.5)}, 8};
+      return {Vec3::Constant(2 / root3), {Vec3(0, 0, 0), Vec3(0.5, 0.5, 0.5)}};
     case Lattice::face_centred_cubic:
-      return {Vec3::Constant(root2), {Vec3(0, 0, 0), Vec3(0.5, 0.5, 0), Vec3(0.5, 0, 0.5), Vec3(0, 0.5, 0.5)}, 12};
+      return {Vec3::Constant(root2), {Vec3(0, 0, 0), Vec3(0.5, 0.5, 0), Vec3(0.5, 0, 0.5), Vec3(0, 0.5, 0.5)}};
     case Lattice::hexagonal_close_packed:
       return {Vec3(1, root3, std::sqrt(8.0 / 3)),
-              {Vec3(0, 0, 0), Vec3(0.5, 0.5, 0), Vec3(0, 1.0 / 3, 0.5), Vec3(0.5, 5.0 / 6, 0.5)}, 12};
-    case Lattice::square: return {Vec3(1, 1, 0), {Vec3(0, 0, 0)}, 4};
-    default: return {Vec3(1, root3, 0), {Vec3(0, 0, 0), Vec3(0.5, 0.5, 0)}, 6};
+              {Vec3(0, 0, 0), Vec3(0.5, 0.5, 0), Vec3(0, 1.0 / 3, 0.5), Vec3(0.5, 5.0 / 6, 0.5)}};
+    case Lattice::square: return {Vec3(1, 1, 0), {Vec3(0, 0, 0)}};
+    default: return {Vec3(1, root3, 0), {Vec3(0, 0, 0), Vec3(0.5, 0.5, 0)}};
   }
 }
 
@@ -88,6 +87,9 @@ class Regular final : public Packing {
     const Cell cell = cell_of(config_.lattice);
     const double spacing = 2 * config_.radius * (1 + config_.gap), r = config_.radius;
     const Vec3 first = origin(container, r), edge = spacing * cell.size;
+    const double sites = container.measure() / (request.dimension == 2 ? edge.x() * edge.y() : edge.prod()) *
+                         double(cell.sites.size());
+    if (sites > 50e6) throw UserError("this lattice has more than 50 million particles: use a larger radius");
     PackedParticles packed;
     // From the first site the container reaches no farther than its own size either way.
     long low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
@@ -108,8 +110,7 @@ class Regular final : public Packing {
     packed.container_volume = container.measure() * (request.dimension == 2 ? request.thickness : 1.0);
     const double each = request.dimension == 2 ? std::numbers::pi * r * r : 4 * std::numbers::pi / 3 * r * r * r;
     packed.report = {{"particles", "1", std::nullopt, double(packed.radius.size())},
-                     {"porosity", "1", std::nullopt, 1 - each * double(packed.radius.size()) / container.measure()},
-                     {"neighbours_inside", "1", std::nullopt, double(cell.neighbours)}};
+                     {"porosity", "1", std::nullopt, 1 - each * double(packed.radius.size()) / container.measure()}};
     return packed;
   }
 

@@ -45,7 +45,7 @@ inline double deviation_of(const std::vector<double>& r) {
 }
 
 [[noreturn]] inline void no_such_distribution(const char* what) {
-  throw UserError("radius: no distribution of this kind between min and max has this " + std::string(what) +
+  throw UserError("no distribution of this kind between min and max has this " + std::string(what) +
                   "; move min and max farther from the mean, or lower standard_deviation");
 }
 
