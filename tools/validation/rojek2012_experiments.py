@@ -18,7 +18,6 @@ EXPERIMENTS = [
     ("Platens and seating", [
         ("15 MN/m, frictionless, as in the paper", SPECIMEN1, "", []),
         ("150 MN/m", SPECIMEN1, "platen_150", ["protocol.platen_stiffness=150 MN/m"]),
-        ("friction 0.5", SPECIMEN1, "platen_friction", ["protocol.platen_friction=0.5"]),
         ("strain counted from the first step", SPECIMEN1, "no_seating", ["protocol.seating_stress=0 Pa"]),
         ("strain counted from 5 MPa", SPECIMEN1, "seating_5MPa", ["protocol.seating_stress=5 MPa"]),
     ]),
@@ -34,8 +33,6 @@ EXPERIMENTS = [
         ("packed 3 mm wider and cut", SPECIMEN2, "cut", [ELASTIC, "packing.margin=3 mm"]),
         ("nearest pairs drawn together", SPECIMEN2, "drawn",
          [ELASTIC, "packing.neighbours_per_particle=10.7127", "packing.overlap_tolerance=45 %"]),
-        ("uniform radii, 27.5 % porosity", SPECIMEN2, "uniform",
-         [ELASTIC, "packing.radius={distribution: uniform, min: 0.1151885 mm, max: 1.2399406 mm}", "packing.particles=6294"]),
     ]),
     ("Strain measure: how much of the triangulation's outline counts (loaded to 0.6 % only)", [
         (f"specimen {s}, `hull_gap` {gap}", w, f"hull_{gap}", [ELASTIC, STRAIN + gap])
