@@ -65,6 +65,27 @@ int dispatch(int argc, char** argv) {
   verb->add_option("--set", compare.overrides, "replace a setting of the renderer: path=value")->expected(1)->take_all();
   verb->callback([&] { code = cli::compare(compare); });
 
+  cli::DriveArguments drive;
+  verb = app.add_subcommand("drive", "Lead one contact of two particles along a path: what a contact law does");
+  verb->footer("The path is a CSV file: a header of normal_m, shear_m, rotation_rad, twist_rad and time_s (any of them),\n"
+               "then one row for each way point, counted from the start at zero. Makes curves.csv (forces, history and\n"
+               "energies of every increment), summary.json and charts of force over displacement.\n"
+               "Example: breccia drive elastic_brittle --path path.csv --set contact_law.bond_modulus=\"10 GPa\" ...");
+  verb->add_option("TARGET", drive.target, "a workflow (its contact_law, material and dimension are used), or the name of a contact law")->required();
+  verb->add_option("--path", drive.path, "the path (CSV)")->required();
+  verb->add_option("-o,--output", drive.output, "folder of the results; default: results/drive_<law>");
+  verb->add_flag("--overwrite", drive.overwrite, "replace the results of an earlier run in that folder");
+  verb->add_option("--set", drive.overrides, "replace a value: path=value, as for run; of a law by name also material.density, dimension, thickness")
+      ->expected(1)->take_all();
+  verb->add_option("--radius", drive.radius, "of both particles, or of each: 1mm,2mm; default: 1 mm")->expected(1)->take_all()->delimiter(',');
+  verb->add_option("--gap", drive.gap, "between the surfaces at the start, with unit; below zero: overlap; default: they touch");
+  verb->add_flag("--unbonded", drive.unbonded, "the two are not glued together");
+  verb->add_option("--steps", drive.steps, "equal increments between two way points; with time_s: on the shortest way")
+      ->check(CLI::Range(1, 10000000))->capture_default_str();
+  verb->add_option("--porosity", drive.porosity, "what a law is told of the specimen around the pair; default: 25 %");
+  verb->add_option("--coordination-number", drive.coordination_number, "the same: mean number of bonds per particle")->capture_default_str();
+  verb->callback([&] { code = cli::drive(drive); });
+
   verb = app.add_subcommand("schema", "Print the JSON Schema of workflows");
   verb->callback([&] { code = cli::schema(); });
 

@@ -31,12 +31,23 @@ struct CompareArguments {
   bool overwrite = false;
 };
 
+struct DriveArguments {
+  std::string target;     ///< a workflow, or the name of a contact law
+  std::filesystem::path path, output;
+  std::vector<std::string> radius, overrides;
+  std::string gap, porosity;  ///< with units; empty: the default
+  double coordination_number = 10;
+  int steps = 200;
+  bool unbonded = false, overwrite = false;
+};
+
 int run(const RunArguments& arguments);
 int validate(const std::vector<std::filesystem::path>& files, const std::vector<std::string>& overrides);
 int list(const std::string& kind);
 int describe(const std::string& plugin, const std::string& format);
 int render(const RenderArguments& arguments);
 int compare(const CompareArguments& arguments);
+int drive(const DriveArguments& arguments);
 int schema();
 
 }  // namespace breccia::cli

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Bonds that soften linearly in tension and shear and harden plastically in compression; Coulomb friction afterwards.
+/// Source: Oñate, Zárate, Miquel, Santasusana, Celigueta, Arrufat, Gandikota, Valiullin, Ring (2015), A local
+/// constitutive model for the discrete element method, Comput. Part. Mech. 2, 301-314, sections 5, 7 and 8.
+#include <numbers>
+
+#include "config.hpp"
+#include "hardening.hpp"
+
+namespace breccia::elasto_damage_plastic {
+
+struct Law {
+  using Config = elasto_damage_plastic::Config;
+  static void describe(Schema<Config>& s) { elasto_damage_plastic::describe(s); }
+
+  struct State {
+    double spring_x, spring_y, spring_z, tension_damage, shear_damage, plastic_strain, viscous_force, regime;
+  };
+  static constexpr std::array columns{StateColumn<State>{&State::spring_x, "shear_spring_x", "m"},
+                                      StateColumn<State>{&State::spring_y, "shear_spring_y", "m"},
+                                      StateColumn<State>{&State::spring_z, "shear_spring_z", "m"},
+                                      StateColumn<State>{&State::tension_damage, "tension_damage", "1"},
+                                      StateColumn<State>{&State::shear_damage, "shear_damage", "1"},
+                                      StateColumn<State>{&State::plastic_strain, "plastic_strain", "1"},
+                                      StateColumn<State>{&State::viscous_force, "viscous_force", "N"},
+                                      StateColumn<State>{&State::regime, "regime", "1"}};
+  static constexpr bool needs_mass = true;
+
+  Law(const Config& c, const Assembly& assembly)
+      : area_factor(c.area_factor ? *c.area_factor : optimal_area_factor(assembly)),
+        area_square(assembly.dimension == 2 ? 0.0 : area_factor * std::numbers::pi),
+        area_linear(assembly.dimension == 2 ? area_factor * 2 * assembly.thickness : 0.0),
+        modulus(c.youngs_modulus),
+        shear_ratio(0.5 / (1 + c.poisson_ratio)),
+        damping(2 * c.contact_damping),
+        limit_strain(c.tensile_strength / c.youngs_modulus),
+        shear_strength(c.shear_strength),
+        internal_friction(c.internal_friction),
+        friction(c.friction),
+        soft_n(c.softening_tension),
+        soft_s(c.softening_shear),
+        coupling(c.failure == Failure::coupled ? 1.0 : 0.0) {
+    if (c.compressive_limits) hardening = Hardening(modulus, *c.compressive_limits, *c.compressive_slope_ratios);
+    least_step = estimate_step(assembly);
+  }
+
+  BRECCIA_KERNEL State initial(const Contact&) const { return {0, 0, 0, 0, 0, 0, 0, 0}; }
+
+  BRECCIA_KERNEL ContactForce operator()(const Contact& c, State& s) const {
+    const double area = contact_area(c), ea = modulus * area, kn = ea / c.rest_length, ks = kn * shear_ratio;
+    const bool intact = c.intact > 0.5;
+
+    const double strain = (c.distance - c.rest_length) / c.rest_length;
+    const double reached = hardening.plastic_strain(-strain);
+    const double plastic = reached > s.plastic_strain ? reached : s.plastic_strain;
+    const double elastic = strain + plastic, pulled = elastic > 0 ? elastic : 0.0,
+                 pressed = elastic < 0 ? -elastic * ea : 0.0;
+
+    const PlaneVector old = follow_plane(c, s.spring_x, s.spring_y, s.spring_z);
+    const double ux = old.x + c.shear_x, uy = old.y + c.shear_y, uz = old.z + c.shear_z;
+    const double spring = std::sqrt(ux * ux + uy * uy + uz * uz), trial = ks * spring;
+
+    // Displacement over that at the strength; coupled, the two add up to the distance from the joint failure line.
+    const double share_n = pulled / limit_strain,
+                 share_s = trial / (shear_strength * area + internal_friction * pressed);
+    const double load_n = share_n + coupling * share_s, load_s = share_s + coupling * share_n;
+    const double dn = grown(s.tension_damage, (load_n - 1) / soft_n, intact);
+    const double ds = grown(s.shear_damage, (load_s - 1) / soft_s, intact);
+    const bool holds = intact & (dn < 1) & (ds < 1), broke = intact & !holds;
+    const double keep_n = secant(dn, soft_n), keep_s = secant(ds, soft_s);
+
+    const double limit = friction * pressed;
+    const bool slides = !intact & (trial > limit);
+    // A bond breaks in shear when its force has come down to zero: friction takes up from there.
+    const double keep = broke ? 0.0 : slides ? limit / (trial > 0 ? trial : 1.0) : 1.0;
+    s.spring_x = keep * ux;
+    s.spring_y = keep * uy;
+    s.spring_z = keep * uz;
+    const double shear_stiffness = holds ? keep_s * ks : ks;
+
+    const double grip = elastic < 0 ? 1.0 : holds ? keep_n : 0.0;  // a gap has neither spring nor dashpot
+    const double spring_force = grip * ea * elastic;
+    const double both = spring_force + grip * dashpot(c, area, kn) * c.normal_velocity;
+    const double normal = holds | (both < 0) ? both : 0.0;  // without a bond the dashpot cannot pull
+    const double viscous = normal - spring_force;
+
+    ContactForce f;
+    f.normal = normal;
+    f.shear_x = shear_stiffness * s.spring_x;
+    f.shear_y = shear_stiffness * s.spring_y;
+    f.shear_z = shear_stiffness * s.spring_z;
+    f.breaks = broke ? failure_mode(share_n, share_s, dn) : 0.0;
+    // The triangle below peak and softening line, as far as the damage has gone, whatever the size of the step; and
+    // what the direction that did not fail still holds when the bond goes.
+    const double grown_n = dn - s.tension_damage, grown_s = ds - s.shear_damage;
+    const double peak_n = pulled / (load_n > 1 ? load_n : 1.0), peak_s = spring / (load_s > 1 ? load_s : 1.0);
+    const double softened =
+        (1 + soft_n) * ea * c.rest_length * peak_n * peak_n * grown_n + (1 + soft_s) * ks * peak_s * peak_s * grown_s;
+    const double left = keep_n * ea * c.rest_length * pulled * pulled + keep_s * ks * spring * spring;
+    f.fracture_energy = 0.5 * (softened + (broke ? left : 0.0));
+    f.friction_work = slides ? limit * spring * (1 - keep) : 0.0;
+    f.contact_work =
+        area * c.rest_length * (hardening.plastic_work(plastic) - hardening.plastic_work(s.plastic_strain)) +
+        0.5 * (s.viscous_force + viscous) * c.normal_velocity * c.time_step;  // leapfrog's own work: the mean of two
+    s.regime = (grown_n > 0 ? 1.0 : 0.0) + (grown_s > 0 ? 2.0 : 0.0) + (plastic > s.plastic_strain ? 4.0 : 0.0) +
+               (slides ? 8.0 : 0.0);
+    s.tension_damage = dn;
+    s.shear_damage = ds;
+    s.plastic_strain = plastic;
+    s.viscous_force = viscous;
+    return f;
+  }
+
+  BRECCIA_KERNEL double energy(const Contact& c, const State& s) const {
+    const double ea = modulus * contact_area(c), ks = ea / c.rest_length * shear_ratio;
+    const bool intact = c.intact > 0.5;
+    const double elastic = (c.distance - c.rest_length) / c.rest_length + s.plastic_strain;
+    const double grip = elastic < 0 ? 1.0 : intact ? secant(s.tension_damage, soft_n) : 0.0;
+    const double shear = ks * (intact ? secant(s.shear_damage, soft_s) : 1.0);
+    const double spring2 = s.spring_x * s.spring_x + s.spring_y * s.spring_y + s.spring_z * s.spring_z;
+    return 0.5 * (grip * ea * c.rest_length * elastic * elastic + shear * spring2);
+  }
+
+  /// Leapfrog with a dashpot C is stable while dt^2 K/4 + dt C/2 stays below the mass, as if the spring were stiffer by
+  /// 2 C/dt. The step that comes out is longer than `least_step`, so this is on the safe side.
+  BRECCIA_KERNEL ContactStiffness stiffness(const Contact& c) const {
+    const double area = contact_area(c), kn = modulus * area / c.rest_length;
+    return {kn + 2 * dashpot(c, area, kn) / least_step, kn * shear_ratio, 0, 0};
+  }
+
+  Json derived() const { return {{"area_factor", area_factor}}; }
+
+ private:
+  BRECCIA_KERNEL double contact_area(const Contact& c) const {
+    const double r = c.radius_i < c.radius_j ? c.radius_i : c.radius_j;
+    return area_square * r * r + area_linear * r;
+  }
+  /// C_n of Eq. 30 [N s/m].
+  BRECCIA_KERNEL double dashpot(const Contact& c, double area, double kn) const {
+    const double r = c.radius_i < c.radius_j ? c.radius_i : c.radius_j;
+    return damping * area / (r * c.rest_length) * std::sqrt(c.reduced_mass * kn);
+  }
+  BRECCIA_KERNEL static double grown(double damage, double reached, bool intact) {
+    const double at_most = reached < 1 ? reached : 1.0;
+    return intact & (at_most > damage) ? at_most : damage;
+  }
+  /// Stiffness of the secant over the initial one.
+  BRECCIA_KERNEL static double secant(double damage, double softening) {
+    return (1 - damage) / (1 + softening * damage);
+  }
+
+  BRECCIA_KERNEL double failure_mode(double share_n, double share_s, double dn) const {
+    const bool tension = (dn >= 1) & (share_n > 0), mixed = tension & (coupling * share_s > 0);
+    return mixed     ? double(BondState::broken_combined)
+           : tension ? double(BondState::broken_tension)
+                     : double(BondState::broken_shear);
+  }
+
+  static double optimal_area_factor(const Assembly& a) {
+    if (a.dimension == 2)
+      throw UserError(
+          "contact_law elasto_damage_plastic: give `area_factor`; its default 40 P/N_c is made for spheres, not for "
+          "discs");
+    if (!(a.coordination_number > 0))
+      throw UserError(
+          "contact_law elasto_damage_plastic: the area factor 40 P/N_c cannot be had, no bond was made; give "
+          "`area_factor`, or bond more neighbours");
+    if (!(a.porosity > 0))
+      throw UserError(
+          "contact_law elasto_damage_plastic: the area factor 40 P/N_c cannot be had, the spheres overlap so much "
+          "that the porosity P is not above zero; give `area_factor`");
+    return 40 * a.porosity / a.coordination_number;
+  }
+
+  /// Below the stable step of the specimen [s]: each particle among as many equal ones as it has bonds (six at least,
+  /// for those that may come to touch), half of which resist any one motion. An equal partner is the stiffest.
+  double estimate_step(const Assembly& a) const {
+    std::vector<double> bonds(a.radius.size(), 0);
+    for (std::size_t k = 0; k < a.bond_i.size(); ++k) {
+      ++bonds[a.bond_i[k]];
+      ++bonds[a.bond_j[k]];
+    }
+    const double rolling = (a.dimension == 2 ? 3 : 3.5) * shear_ratio;  // 1 + m r^2/J: shear also turns the particle
+    double least = 1e300;
+    for (std::size_t k = 0; k < a.radius.size(); ++k) {
+      Contact c{};
+      c.radius_i = c.radius_j = a.radius[k];
+      c.rest_length = 2 * a.radius[k];
+      c.reduced_mass = 0.5 * a.mass[k];
+      const double area = contact_area(c), kn = modulus * area / c.rest_length, half = 0.5 * std::max(bonds[k], 6.0);
+      const double dash = half * dashpot(c, area, kn), stiff = half * kn * std::max(1.0, rolling);
+      least = std::min(least, 2 * a.mass[k] / (dash + std::sqrt(dash * dash + 2 * stiff * a.mass[k])));
+    }
+    return least;
+  }
+
+  double area_factor;               // alpha [1]
+  double area_square, area_linear;  // alpha A = area_square r^2 + area_linear r; one of them is zero [1], [m]
+  double modulus, shear_ratio;      // E [Pa], K_s/K_n
+  double damping;                   // 2 xi [1]
+  double limit_strain, shear_strength, internal_friction, friction;  // sigma_t/E, tau [Pa], mu1, mu2
+  double soft_n, soft_s, coupling;                                   // delta_n, delta_s; 1 when coupled, else 0
+  double least_step = 0;                                             // [s]
+  Hardening hardening;
+};
+
+}  // namespace breccia::elasto_damage_plastic
+
+BRECCIA_CONTACT_LAW(breccia::elasto_damage_plastic::Law, "elasto_damage_plastic")
