@@ -67,21 +67,7 @@ class CollectiveRearrangement final : public Packing {
         .doc("ends when fifty steps lower the energy by less than this share");
     s.exactly_one_of({"container", "mesh"});
     s.exactly_one_of({"particles", "porosity"});
-    s.check([](const Config& c, Issues& issues) {
-      std::optional<Container> box;
-      try {
-        if (c.container) box = c.container->make();
-      } catch (const UserError& e) {
-        issues.push_back({"container", e.what()});
-      }
-      try {
-        const RadiusLaw law = c.radius.law();
-        if (box && law.max > box->largest_radius())
-          issues.push_back({"radius", "the largest radius does not fit into the container"});
-      } catch (const UserError& e) {
-        issues.push_back({"radius", e.what()});
-      }
-    });
+    s.check([](const Config& c, Issues& issues) { check_fit(c.container, c.radius, issues); });
   }
 
   explicit CollectiveRearrangement(const Config& config) : config_(config) {}

@@ -5,8 +5,7 @@
 #include <filesystem>
 
 #include "breccia/packing.hpp"
-#include "breccia/packing_tools/container.hpp"
-#include "breccia/packing_tools/radius_distribution.hpp"
+#include "breccia/packing_tools/fit.hpp"
 
 namespace breccia::collective_rearrangement {
 

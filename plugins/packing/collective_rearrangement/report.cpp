@@ -2,17 +2,10 @@
 #include "report.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 #include "breccia/cell_grid.hpp"
 
 namespace breccia::collective_rearrangement {
-
-double solid_measure(const std::vector<double>& radii, int dimension) {
-  double sum = 0;
-  for (const double r : radii) sum += dimension == 2 ? r * r : r * r * r;
-  return sum * (dimension == 2 ? std::numbers::pi : 4 * std::numbers::pi / 3);
-}
 
 Quality measure(const Spheres& s, double region_measure, int dimension) {
   Quality q;

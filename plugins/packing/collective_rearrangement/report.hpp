@@ -17,7 +17,4 @@ struct Quality {
 
 Quality measure(const Spheres& s, double region_measure, int dimension);
 
-/// Sum of the volumes (areas in two dimensions) of the spheres, overlaps counted twice [m3], [m2].
-double solid_measure(const std::vector<double>& radii, int dimension);
-
 }  // namespace breccia::collective_rearrangement

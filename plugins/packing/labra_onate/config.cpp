@@ -38,19 +38,7 @@ void describe(Schema<Config>& s) {
       .fallback(1e-4);
   s.check([](const Config& c, Issues& issues) {
     if (!c.particles && !c.porosity) issues.push_back({"", "needs particles, or porosity, or both"});
-    std::optional<Container> box;
-    try {
-      box = c.container.make();
-    } catch (const UserError& e) {
-      issues.push_back({"container", e.what()});
-    }
-    try {
-      const RadiusLaw law = c.radius.law();
-      if (box && law.max > box->largest_radius())
-        issues.push_back({"radius", "the largest radius does not fit into the container"});
-    } catch (const UserError& e) {
-      issues.push_back({"radius", e.what()});
-    }
+    check_fit(c.container, c.radius, issues);
   });
 }
 

@@ -3,8 +3,7 @@
 #pragma once
 
 #include "breccia/packing.hpp"
-#include "breccia/packing_tools/container.hpp"
-#include "breccia/packing_tools/radius_distribution.hpp"
+#include "breccia/packing_tools/fit.hpp"
 
 namespace breccia::labra_onate {
 
@@ -28,8 +27,5 @@ struct Sizes {
 /// Meets the number of particles exactly and the porosity to rounding, whichever are asked for. Warns when that takes
 /// more than 2 %, and when the porosity is outside what the method does well; UserError when it is out of reach.
 Sizes choose_sizes(const Config& c, const RadiusLaw& law, const Container& box, Host& host);
-
-/// Sum of the volumes (areas in two dimensions) of the spheres, overlaps counted twice [m3], [m2].
-double solid_measure(const std::vector<double>& radii, int dimension);
 
 }  // namespace breccia::labra_onate

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
 #include "config.hpp"
 
@@ -32,12 +31,6 @@ void judge_porosity(double porosity, int dimension, Host& host) {
 }
 
 }  // namespace
-
-double solid_measure(const std::vector<double>& radii, int dimension) {
-  double sum = 0;
-  for (const double r : radii) sum += dimension == 2 ? r * r : r * r * r;
-  return sum * (dimension == 2 ? std::numbers::pi : 4 * std::numbers::pi / 3);
-}
 
 Sizes choose_sizes(const Config& c, const RadiusLaw& law, const Container& box, Host& host) {
   const int dimension = box.dimension();
