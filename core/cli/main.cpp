@@ -22,6 +22,7 @@ int dispatch(int argc, char** argv) {
   verb->add_option("--output", run.output, "folder of the results; default: results/<workflow name>");
   verb->add_flag("--overwrite", run.overwrite, "replace the results of an earlier run in that folder");
   verb->add_option("--threads", run.threads, "threads; default: all cores. The results do not depend on it")->check(CLI::Range(1, 1024));
+  verb->add_option("--variant", run.variant, "one of the workflow's `variants`: what it says is laid over the workflow");
   verb->add_option("--set", run.overrides, "replace a value: path=value, e.g. contact_law.friction=0.3")->expected(1)->take_all();
   verb->callback([&] { code = cli::run(run); });
 

@@ -36,7 +36,7 @@ int run(const RunArguments& a) {
   Console console(a.threads > 0 ? a.threads : cores);
   Registry registry;
   for (const std::string& w : registry.warnings()) console.warn(w);
-  const LoadedWorkflow loaded = load_workflow(a.file, a.overrides, registry);
+  const LoadedWorkflow loaded = load_workflow(a.file, a.overrides, registry, a.variant);
   const std::filesystem::path folder = a.output.empty() ? std::filesystem::path("results") / loaded.workflow.name : a.output;
   ResultsFolder results(folder, a.overwrite);
   console.log_to(folder / "run.log");

@@ -10,8 +10,12 @@ int validate(const std::vector<std::filesystem::path>& files, const std::vector<
   int code = ok;
   for (const auto& file : files) {
     try {
-      Registry registry;  // one each: plugins named by one workflow must not help another
-      load_workflow(file, overrides, registry);
+      std::vector<std::string> variants = workflow_variants(file);
+      variants.insert(variants.begin(), "");
+      for (const std::string& variant : variants) {
+        Registry registry;  // one each: plugins named by one workflow must not help another
+        load_workflow(file, overrides, registry, variant);
+      }
       fmt::print("{}: ok\n", file.string());
     } catch (const UserError& e) {
       fmt::print(stderr, "{}\n", e.what());

@@ -13,6 +13,7 @@ constexpr int ok = 0, failure = 1, bad_input = 2, interrupted = 130;
 struct RunArguments {
   std::filesystem::path file, output;
   std::vector<std::string> overrides;
+  std::string variant;
   int threads = 0;        ///< 0: as many as the machine has
   bool overwrite = false;
 };

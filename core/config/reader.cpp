@@ -7,6 +7,7 @@
 #include "config/merge.hpp"
 #include "config/overrides.hpp"
 #include "config/section_reader.hpp"
+#include "config/suggest.hpp"
 
 namespace breccia {
 
@@ -28,12 +29,60 @@ namespace {
 
 }  // namespace
 
-Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins,
-                 const std::vector<std::string>& overrides, const std::function<Issues(const Json&)>& root_rules) {
+namespace {
+
+/// Takes the mapping `variants` out of the tree, and lays the one asked for over what is left.
+YamlPtr choose_variant(const YamlPtr& tree, const std::string& variant, const ParamSpec& root, const PluginDirectory& plugins,
+                       const std::string& file, std::vector<Finding>& findings) {
+  const YamlEntry* found = tree->find("variants");
+  if (!found) {
+    if (!variant.empty()) throw UserError(file + ": there is no variant `" + variant + "`: the workflow has no `variants`");
+    return tree;
+  }
+  const YamlEntry variants = *found;
+  auto rest = std::make_shared<YamlNode>(*tree);
+  std::erase_if(rest->entries, [](const YamlEntry& e) { return e.key == "variants"; });
+  if (variants.value->kind != YamlNode::Kind::mapping) {
+    findings.push_back({variants.place, "variants", "must be a mapping: the name of each variant, and what differs in it"});
+    return rest;
+  }
+  std::vector<std::string> names;
+  for (const YamlEntry& e : variants.value->entries) {
+    names.push_back(e.key);
+    if (e.value->kind != YamlNode::Kind::mapping)
+      findings.push_back({e.place, "variants." + e.key, "must be a mapping of what differs in this variant"});
+    else if (const YamlEntry* base = e.value->find("base"))
+      findings.push_back({base->place, "variants." + e.key + ".base", "a variant has no base of its own"});
+    else if (const YamlEntry* inner = e.value->find("variants"))
+      findings.push_back({inner->place, "variants." + e.key + ".variants", "a variant has no variants of its own"});
+  }
+  if (variant.empty() || !findings.empty()) return rest;
+  const YamlEntry* chosen = variants.value->find(variant);
+  if (!chosen) throw UserError(file + ": there is no variant `" + variant + "`" + suggestion(variant, names));
+  return merge(root, rest, chosen->value, plugins);
+}
+
+}  // namespace
+
+std::vector<std::string> variants_of(const BaseChain& chain) {
+  std::vector<std::string> names;
+  for (const InputFile& file : chain.files) {
+    const YamlEntry* variants = file.tree && file.tree->kind == YamlNode::Kind::mapping ? file.tree->find("variants") : nullptr;
+    if (!variants || variants->value->kind != YamlNode::Kind::mapping) continue;
+    for (const YamlEntry& e : variants->value->entries) names.push_back(e.key);
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins, const std::vector<std::string>& overrides,
+                 const std::function<Issues(const Json&)>& root_rules, const std::string& variant) {
   if (!chain.whole) refuse(chain.findings, chain.files);
   std::vector<Finding> findings = chain.findings;
   YamlPtr tree = chain.files.back().tree;
   for (std::size_t k = chain.files.size() - 1; k-- > 0;) tree = merge(root, tree, chain.files[k].tree, plugins);
+  if (tree->kind == YamlNode::Kind::mapping) tree = choose_variant(tree, variant, root, plugins, chain.files.front().name, findings);
   const int command_line = int(chain.files.size());
   if (tree->kind == YamlNode::Kind::mapping)
     for (std::size_t k = 0; k < overrides.size(); ++k)

@@ -21,10 +21,16 @@ namespace breccia {
 /// holds nothing of `base`. `overrides` are of the form "path=value" and replace values of what was merged. The
 /// plugins' own rules run on the sections that are otherwise in order, `root_rules` when everything else is.
 ///
+/// `variant` names a member of the mapping `variants` of the merged files, which is laid over them like a file over its
+/// base, before the overrides; the result holds nothing of `variants`.
+///
 /// All problems are found in one pass and thrown as one ConfigError.
 Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins,
                  const std::vector<std::string>& overrides = {},
-                 const std::function<Issues(const Json&)>& root_rules = {});
+                 const std::function<Issues(const Json&)>& root_rules = {}, const std::string& variant = {});
+
+/// Names of the variants that the files of the chain offer together, in order of the alphabet.
+std::vector<std::string> variants_of(const BaseChain& chain);
 
 /// The same for a text that stands, or might stand, in the file of that name.
 Json read_config(const std::string& yaml_text, const std::string& file_name, const ParamSpec& root,

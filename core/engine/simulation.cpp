@@ -142,6 +142,47 @@ double Simulation::elastic_energy() {
   return law_.energy(whole_batch(state_, columns)) + wall_energy(state_);
 }
 
+ParticlesView Simulation::particles() const {
+  const Particles& p = state_.particles;
+  return {p.position, p.velocity, p.angular_velocity, p.reference_position, p.force, p.torque, p.applied_force, p.radius, p.mass, p.id};
+}
+
+BondStiffness Simulation::bond_stiffness() {
+  const Bonds& b = state_.bonds;
+  std::vector<BondState> bond_state = b.state;
+  std::vector<double*> columns;
+  PairBatch batch = whole_batch(state_, columns);
+  batch.begin = 0;
+  batch.end = b.size();
+  batch.i = b.i.data();
+  batch.j = b.j.data();
+  batch.rest_length = b.initial_distance.data();
+  batch.state = bond_state.data();
+  std::vector<ContactStiffness> stiffness(b.size());
+  law_.stiffness(batch, stiffness.data());
+  BondStiffness result;
+  std::size_t intact = 0;
+  for (std::size_t k = 0; k < b.size(); ++k) {
+    if (b.state[k] != BondState::intact) continue;
+    ++intact;
+    result.mean_normal += stiffness[k].normal;
+    result.modulus += b.initial_distance[k] * b.initial_distance[k] * stiffness[k].normal;
+  }
+  if (intact == 0) return result;
+  result.mean_normal /= double(intact);
+  result.modulus /= state_.specimen.volume * state_.dimension;
+  const auto& m = state_.particles.mass;
+  result.wave_speed = std::sqrt(result.modulus * state_.specimen.volume / std::accumulate(m.begin(), m.end(), 0.0));
+  return result;
+}
+
+SpecimenShape Simulation::set_specimen_axis(const Vec3& axis) {
+  const SpecimenShape& old = state_.specimen;
+  state_.specimen = measure_specimen(state_.particles.position, state_.particles.radius, old.outline, axis, state_.dimension,
+                                     state_.thickness, old.volume);
+  return state_.specimen;
+}
+
 void Simulation::mark_start_of_loading() {
   fold_chunk_sums();
   state_.energy = {};
@@ -164,6 +205,7 @@ std::size_t Simulation::add_wall(const WallSpec& w) {
   wall.normal_stiffness = w.normal_stiffness;
   wall.shear_stiffness = w.shear_stiffness;
   wall.friction = w.friction;
+  wall.cylinder_radius = w.cylinder_radius;
   state_.walls.push_back(wall);
   return state_.walls.size() - 1;
 }
@@ -200,17 +242,17 @@ SimulationView Simulation::view() {
   v.time_step = s.time_step;
   v.step = s.step;
   const Particles& p = s.particles;
-  v.particles = {p.position, p.velocity, p.angular_velocity, p.reference_position, p.force, p.torque, p.radius, p.mass, p.id};
+  v.particles = particles();
   v.pairs = {s.pairs.i, s.pairs.j, s.pairs.rest_length, s.pairs.state, s.pairs.bond, s.pairs.force, s.pairs.moment, {}};
   for (const auto& c : s.pairs.columns) v.pairs.columns.emplace_back(c);
   const Bonds& b = s.bonds;
   v.bonds = {b.i, b.j, b.initial_distance, b.state, b.break_time, b.break_position, b.break_normal, b.pair};
   wall_views_.clear();
-  for (const Wall& w : s.walls) wall_views_.push_back({w.name, w.point, w.normal, w.velocity, w.displacement, w.force, 0});
+  for (const Wall& w : s.walls) wall_views_.push_back({w.name, w.point, w.normal, w.velocity, w.displacement, w.force, w.normal_force, w.cylinder_radius, 0});
   wall_contacts_.clear();
   for (const WallTouch& t : s.wall_touches) {
     if (t.overlap <= 0) continue;
-    const Vec3 arm = -(p.radius[t.particle] - t.overlap) * s.walls[t.wall].normal;
+    const Vec3 arm = -(p.radius[t.particle] - t.overlap) * facing(s.walls[t.wall], p.position[t.particle]).normal;
     wall_contacts_.push_back({t.particle, t.wall, p.position[t.particle] + arm, t.force});
     ++wall_views_[t.wall].contacts;
   }

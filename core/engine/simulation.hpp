@@ -44,9 +44,14 @@ class Simulation final : public LoadControl {
   void hold(Index particle, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity) override;
   void release(Index particle, std::uint8_t mask) override;
   void set_applied_force(Index particle, const Vec3& force) override;
+  SpecimenShape set_specimen_axis(const Vec3& axis) override;
   void mark_start_of_loading() override;
   double time() const override { return state_.time; }
   double time_step() const override { return state_.time_step; }
+  ParticlesView particles() const override;
+  Vec3 wall_force(std::size_t wall) const override { return state_.walls.at(wall).force; }
+  Vec3 wall_displacement(std::size_t wall) const override { return state_.walls.at(wall).displacement; }
+  BondStiffness bond_stiffness() override;
 
  private:
   void rebuild();

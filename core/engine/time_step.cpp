@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/neighbours.hpp"
+#include "engine/walls.hpp"
 
 namespace breccia {
 namespace {
@@ -43,7 +44,7 @@ double critical_time_step(State& s, ContactLaw& law, const std::vector<Index>& p
   }
   for (const WallTouch& t : s.wall_touches) {
     const Wall& w = s.walls[t.wall];
-    add_contact(k[t.particle], -w.normal, p.radius[t.particle], {w.normal_stiffness, w.friction > 0 ? w.shear_stiffness : 0, 0, 0});
+    add_contact(k[t.particle], -facing(w, p.position[t.particle]).normal, p.radius[t.particle], {w.normal_stiffness, w.friction > 0 ? w.shear_stiffness : 0, 0, 0});
   }
   double most = 0;
   for (const Index a : particles) {

@@ -5,6 +5,14 @@
 
 namespace breccia {
 
+Facing facing(const Wall& w, const Vec3& x) {
+  const Vec3 from = x - w.point;
+  if (w.cylinder_radius <= 0) return {from.dot(w.normal), w.normal};
+  const Vec3 radial = from - from.dot(w.normal) * w.normal;
+  const double off = radial.norm();
+  return {w.cylinder_radius - off, off > 0 ? Vec3(-radial / off) : Vec3::Zero()};
+}
+
 void rebuild_wall_touches(State& s, double reach) {
   std::vector<WallTouch> old;
   old.swap(s.wall_touches);
@@ -12,7 +20,7 @@ void rebuild_wall_touches(State& s, double reach) {
   for (Index w = 0; w < s.walls.size(); ++w) {
     const Wall& wall = s.walls[w];
     for (Index a = 0; a < s.particles.size(); ++a) {
-      if ((s.particles.position[a] - wall.point).dot(wall.normal) - s.particles.radius[a] > reach) continue;
+      if (facing(wall, s.particles.position[a]).distance - s.particles.radius[a] > reach) continue;
       while (next < old.size() && (old[next].wall < w || (old[next].wall == w && old[next].particle < a))) ++next;
       const bool known = next < old.size() && old[next].wall == w && old[next].particle == a;
       s.wall_touches.push_back(known ? old[next] : WallTouch{a, w});
@@ -27,19 +35,23 @@ void wall_forces(State& s, std::vector<Vec3>& force, std::vector<Vec3>& torque) 
     force[t.particle] = p.applied_force[t.particle];
     torque[t.particle].setZero();
   }
-  for (Wall& w : s.walls) w.force.setZero();
+  for (Wall& w : s.walls) {
+    w.force.setZero();
+    w.normal_force = 0;
+  }
   for (WallTouch& t : s.wall_touches) {
     Wall& w = s.walls[t.wall];
-    const Vec3& x = p.position[t.particle];
     const double r = p.radius[t.particle];
-    t.overlap = r - (x - w.point).dot(w.normal);
+    const Facing f = facing(w, p.position[t.particle]);
+    t.overlap = r - f.distance;
     t.force.setZero();
     if (t.overlap <= 0) { t.spring.setZero(); continue; }
     const double pressed = w.normal_stiffness * t.overlap;
-    const Vec3 arm = -(r - t.overlap) * w.normal;  // from the centre to the contact point
+    const Vec3 arm = -(r - t.overlap) * f.normal;  // from the centre to the contact point
     if (w.friction > 0) {
       Vec3 slip = p.velocity[t.particle] + p.angular_velocity[t.particle].cross(arm) - w.velocity;
-      slip -= slip.dot(w.normal) * w.normal;
+      slip -= slip.dot(f.normal) * f.normal;
+      t.spring -= t.spring.dot(f.normal) * f.normal;  // a cylinder's normal turns as the particle slides round
       const Vec3 trial = t.spring + dt * slip;
       const double size = w.shear_stiffness * trial.norm(), limit = w.friction * pressed;
       const double keep = size > limit ? limit / size : 1.0;
@@ -47,7 +59,8 @@ void wall_forces(State& s, std::vector<Vec3>& force, std::vector<Vec3>& torque) 
       if (keep < 1) s.energy.friction += limit * trial.norm() * (1 - keep);
       t.force = -w.shear_stiffness * t.spring;
     }
-    t.force += pressed * w.normal;
+    t.force += pressed * f.normal;
+    w.normal_force += pressed;
     force[t.particle] += t.force;
     torque[t.particle] += arm.cross(t.force);
     w.force -= t.force;

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Rigid plane walls: a linear penalty spring, and a Coulomb-limited tangential spring when the wall has friction.
+/// Rigid walls, planes and cylinders: a linear penalty spring, and a Coulomb-limited tangential spring when the wall has friction.
 #pragma once
 
 #include "model/state.hpp"
 
 namespace breccia {
+
+/// A wall as a particle sees it.
+struct Facing {
+  double distance;   ///< of the particle's centre from the wall's surface [m]
+  Vec3 normal;       ///< from the surface to the particle
+};
+Facing facing(const Wall& wall, const Vec3& position);
 
 /// Particles within `reach` [m] of a wall; touches that stay keep their friction spring.
 void rebuild_wall_touches(State& state, double reach);

@@ -45,11 +45,13 @@ struct Bonds {
   std::size_t size() const { return i.size(); }
 };
 
-/// A rigid plane, moved by the protocol.
+/// A rigid plane, or the inside of a rigid cylinder about the line through `point` along `normal`; moved by the protocol.
 struct Wall {
   std::string name;
   Vec3 point, normal, velocity, previous_velocity, displacement, force;
   double normal_stiffness, shear_stiffness, friction;
+  double cylinder_radius = 0;   ///< 0: a plane [m]
+  double normal_force = 0;      ///< sum over the particles that press on it [N]
 };
 
 /// A particle near a wall, with the spring of its friction.

@@ -88,6 +88,9 @@ void Workflow::describe(Schema<Workflow>& s) {
   s.param("renderers", &Workflow::renderers).kind("renderer").fallback(none).doc("pictures, made from those files at the end");
   s.param("reference", &Workflow::reference).fallback(defaults)
       .doc("published values to compare with: summary key to value, or text; copied into summary.json");
+  s.param("variants", &Workflow::variants).fallback(defaults).example("{small: {packing: {particles: 1000}}}")
+      .doc("named changes of this workflow: `breccia run --variant small` lays those of `small` over it, as a file is laid over its base; "
+           "the name of the variant is added to that of the workflow");
   s.param("provenance", &Workflow::provenance).fallback(defaults)
       .doc("written by Breccia into resolved.yaml: versions and content hashes of what made the result");
 }
@@ -116,12 +119,16 @@ void try_plugins(const Workflow& w, const Registry& registry) {
 
 }  // namespace
 
-LoadedWorkflow load_workflow(const fs::path& file, const std::vector<std::string>& overrides, Registry& registry) {
+std::vector<std::string> workflow_variants(const fs::path& file) { return variants_of(follow_bases(read_text(file), file.string())); }
+
+LoadedWorkflow load_workflow(const fs::path& file, const std::vector<std::string>& overrides, Registry& registry, const std::string& variant) {
   const BaseChain chain = follow_bases(read_text(file), file.string());
   for (const fs::path& path : plugin_paths(chain)) registry.add(path);
   LoadedWorkflow loaded;
-  loaded.config = read_config(chain, workflow_schema(), registry, overrides);
+  loaded.config = read_config(chain, workflow_schema(), registry, overrides, {}, variant);
+  loaded.config.erase("variants");
   if (loaded.config["name"] == "") loaded.config["name"] = file.stem().string();
+  if (!variant.empty()) loaded.config["name"] = loaded.config["name"].get<std::string>() + "_" + variant;
   Schema<Workflow> schema;
   Workflow::describe(schema);
   loaded.workflow = schema.load(loaded.config);

@@ -8,14 +8,23 @@
 
 namespace breccia {
 
-/// A rigid plane that particles press on through a linear penalty spring and Coulomb friction.
+/// A rigid plane, or the inside of a rigid cylinder, that particles press on through a linear penalty spring and
+/// Coulomb friction.
 struct WallSpec {
   std::string name;
-  Vec3 point = Vec3::Zero();          ///< [m]
-  Vec3 normal = Vec3::UnitZ();        ///< toward the specimen
+  Vec3 point = Vec3::Zero();          ///< of the plane, or of the cylinder's axis [m]
+  Vec3 normal = Vec3::UnitZ();        ///< toward the specimen; of a cylinder the direction of its axis
   double normal_stiffness = 0;        ///< [N/m]
   double shear_stiffness = 0;         ///< [N/m]; 0 without friction
   double friction = 0;
+  double cylinder_radius = 0;         ///< above zero: a cylinder of this radius, else a plane [m]
+};
+
+/// How stiff the bonds of a specimen are, from the law: for what must scale with the material instead of being tuned.
+struct BondStiffness {
+  double mean_normal = 0;   ///< mean normal stiffness of the bonds [N/m]
+  double modulus = 0;       ///< (1/V) sum over bonds of length^2 x normal stiffness/dimension: the order of Young's modulus [Pa]
+  double wave_speed = 0;    ///< sqrt(modulus V/mass) [m/s]
 };
 
 /// What a protocol may change, before the first step and at each step.
@@ -26,11 +35,19 @@ class LoadControl {
   /// Holds the velocity components in `mask` (bits of `dof`) of a particle at the given values.
   virtual void hold(Index particle, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity) = 0;
   virtual void release(Index particle, std::uint8_t mask) = 0;
-  virtual void set_applied_force(Index particle, const Vec3& force) = 0;  ///< stays until set again [N]
+  /// A force that presses on the particle's surface on the line through its centre; stays until set again [N].
+  virtual void set_applied_force(Index particle, const Vec3& force) = 0;
+  /// The specimen is loaded along this coordinate direction; by default along the axis of its packing. Only in `setup`.
+  /// Returns what it measures along that axis.
+  virtual SpecimenShape set_specimen_axis(const Vec3& axis) = 0;
   /// Starts the ledger of energies and the reference positions (displacements) afresh; rows of curves.csv begin here.
   virtual void mark_start_of_loading() = 0;
   virtual double time() const = 0;
   virtual double time_step() const = 0;
+  virtual ParticlesView particles() const = 0;             ///< as the last step left them
+  virtual Vec3 wall_force(std::size_t wall) const = 0;     ///< of the particles on the wall, in the last step [N]
+  virtual Vec3 wall_displacement(std::size_t wall) const = 0;  ///< since the start of loading [m]
+  virtual BondStiffness bond_stiffness() = 0;              ///< of the intact bonds; costs a pass over them
 
  protected:
   ~LoadControl() = default;

@@ -177,6 +177,12 @@ template <class T> class Schema {
     doc_.root.members.push_back(std::move(p));
     return {doc_.root.members, doc_.root.members.size() - 1, names.get()};
   }
+  /// Of a member that the configuration inherits.
+  template <class M, class Base>
+    requires(std::is_base_of_v<Base, T> && !std::is_same_v<Base, T>)
+  ParamBuilder<M> param(std::string name, M Base::* member) {
+    return param(std::move(name), static_cast<M T::*>(member));
+  }
 
   /// A rule between parameters, for what ranges cannot say; adds to the issues what is wrong.
   Schema& check(std::function<void(const T&, Issues&)> rule) { rules_.push_back(std::move(rule)); return *this; }

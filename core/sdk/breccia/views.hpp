@@ -33,6 +33,7 @@ struct SpecimenShape {
 struct ParticlesView {
   std::span<const Vec3> position, velocity, angular_velocity, initial_position;  // [m], [m/s], [rad/s], [m]
   std::span<const Vec3> force, torque;          ///< undamped resultants at the current positions [N], [N m]
+  std::span<const Vec3> applied_force;          ///< by the protocol, on the surface toward the centre [N]
   std::span<const double> radius, mass;         // [m], [kg]
   std::span<const Index> id;                    ///< number in the packing
   std::size_t size() const { return radius.size(); }
@@ -73,9 +74,11 @@ struct BondsView {
 
 struct WallView {
   std::string name;
-  Vec3 point, normal;         ///< a point of the plane [m]; unit vector toward the specimen
+  Vec3 point, normal;         ///< of a plane: a point [m] and the unit vector toward the specimen; of a cylinder: its axis
   Vec3 velocity, displacement;  // [m/s], [m]
   Vec3 force;                 ///< of the particles on the wall [N]
+  double normal_force;        ///< sum of the particles' normal forces on it, whatever their directions [N]
+  double cylinder_radius;     ///< 0: a plane [m]
   std::size_t contacts = 0;   ///< particles that press on it
 };
 

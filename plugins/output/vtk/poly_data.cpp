@@ -192,32 +192,56 @@ vtkSmartPointer<vtkPolyData> bond_data(const SimulationView& view, std::span<con
   return data;
 }
 
-vtkSmartPointer<vtkPolyData> wall_data(const SimulationView& view, const Bounds& specimen) {
-  const std::size_t n = view.walls.size();
+namespace {
+
+/// Four corners each: a plane is one square about the specimen, a cylinder a ring of strips as long as the specimen.
+void add_wall_quads(const WallView& w, const Bounds& specimen, std::vector<Vec3>& corners) {
   const Vec3 centre = 0.5 * (specimen.low + specimen.high), half = 0.5 * (specimen.high - specimen.low);
-  std::vector<Vec3> corners;
-  for (const WallView& w : view.walls) {
-    // Tangents from the coordinate axis farthest from the normal: squares stay aligned with the specimen.
-    int least = 0;
-    w.normal.cwiseAbs().minCoeff(&least);
-    const Vec3 a = w.normal.cross(Vec3::Unit(least)).normalized(), b = w.normal.cross(a);
+  // Tangents from the coordinate axis farthest from the normal: squares stay aligned with the specimen.
+  int least = 0;
+  w.normal.cwiseAbs().minCoeff(&least);
+  const Vec3 a = w.normal.cross(Vec3::Unit(least)).normalized(), b = w.normal.cross(a);
+  if (w.cylinder_radius <= 0) {
     const double side = 1.15 * std::max(half.dot(a.cwiseAbs()), half.dot(b.cwiseAbs()));
     const Vec3 middle = centre - (centre - w.point).dot(w.normal) * w.normal;
     for (const auto& [s, t] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
       corners.push_back(middle + side * (s * a + t * b));
+    return;
   }
+  constexpr int strips = 48;
+  const Vec3 middle = w.point + (centre - w.point).dot(w.normal) * w.normal, along = half.dot(w.normal.cwiseAbs()) * w.normal;
+  const auto rim = [&](int k) {
+    const double angle = 2 * M_PI * k / strips;
+    return Vec3(middle + w.cylinder_radius * (std::cos(angle) * a + std::sin(angle) * b));
+  };
+  for (int k = 0; k < strips; ++k)
+    for (const Vec3& corner : {Vec3(rim(k) - along), Vec3(rim(k + 1) - along), Vec3(rim(k + 1) + along), Vec3(rim(k) + along)})
+      corners.push_back(corner);
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> wall_data(const SimulationView& view, const Bounds& specimen) {
+  std::vector<Vec3> corners;
+  std::vector<std::size_t> wall_of;  // of each quad
+  for (std::size_t w = 0; w < view.walls.size(); ++w) {
+    add_wall_quads(view.walls[w], specimen, corners);
+    wall_of.resize(corners.size() / 4, w);
+  }
+  const std::size_t n = wall_of.size();
+  const auto wall = [&](std::size_t quad) -> const WallView& { return view.walls[wall_of[quad]]; };
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points_of(corners));
   data->SetPolys(cells_of(n, 4, [](std::size_t c, int k) { return 4 * c + std::size_t(k); }));
   vtkFieldData* on = data->GetCellData();
   vtkNew<vtkStringArray> names;
-  for (const WallView& w : view.walls) names->InsertNextValue(w.name);
+  for (std::size_t k = 0; k < n; ++k) names->InsertNextValue(wall(k).name);
   attach(on, names, "name", "");
-  add<vtkDoubleArray>(on, "force", "N", n, [&](std::size_t k) { return view.walls[k].force; });
-  add<vtkDoubleArray>(on, "displacement", "m", n, [&](std::size_t k) { return view.walls[k].displacement; });
-  add<vtkDoubleArray>(on, "velocity", "m/s", n, [&](std::size_t k) { return view.walls[k].velocity; });
-  add<vtkDoubleArray>(on, "normal", "1", n, [&](std::size_t k) { return view.walls[k].normal; });
-  add<vtkTypeInt32Array>(on, "contacts", "", n, [&](std::size_t k) { return int(view.walls[k].contacts); });
+  add<vtkDoubleArray>(on, "force", "N", n, [&](std::size_t k) { return wall(k).force; });
+  add<vtkDoubleArray>(on, "displacement", "m", n, [&](std::size_t k) { return wall(k).displacement; });
+  add<vtkDoubleArray>(on, "velocity", "m/s", n, [&](std::size_t k) { return wall(k).velocity; });
+  add<vtkDoubleArray>(on, "normal", "1", n, [&](std::size_t k) { return wall(k).normal; });
+  add<vtkTypeInt32Array>(on, "contacts", "", n, [&](std::size_t k) { return int(wall(k).contacts); });
   add_frame_facts(data, view);
   return data;
 }

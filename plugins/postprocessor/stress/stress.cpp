@@ -36,8 +36,8 @@ class Stress final : public Postprocessor {
         .source("Christoffersen, Mehrabadi, Nemat-Nasser (1981), J. Appl. Mech. 48, 339-344; "
                 "Rojek et al. (2012), section 5.3")
         .details(
-            "sigma = (1/V) [sum over pairs of l_ij (x) F on i + sum over wall contacts of (contact point - centre) (x) "
-            "force on the particle], l_ij from centre i to centre j, V the volume of the specimen as measured at the "
+            "sigma = (1/V) [sum over pairs of l_ij (x) F on i + sum over wall contacts and applied forces of (point where "
+            "it acts - centre) (x) force on the particle], l_ij from centre i to centre j, V the volume of the specimen as measured at the "
             "start of loading. Components are positive in tension; `axial_stress`, `lateral_stress` and `mean_stress` "
             "are positive in compression.");
   }
@@ -97,6 +97,16 @@ class Stress final : public Postprocessor {
   }
 
  private:
+  /// Calls f(particle, (point - centre) (x) force) for each applied force: it presses on the surface, toward the centre.
+  template <class F> static void for_each_applied(const SimulationView& view, F&& f) {
+    const ParticlesView& p = view.particles;
+    for (std::size_t k = 0; k < p.applied_force.size(); ++k) {
+      const Vec3& force = p.applied_force[k];
+      const double size = force.norm();
+      if (size > 0) f(Index(k), Mat3(-p.radius[k] / size * force * force.transpose()));
+    }
+  }
+
   /// Not symmetrised. In equilibrium equal to the sum over the boundary forces of position (x) force, over the volume:
   /// compression pushes against the branch vector, hence negative.
   static Mat3 average(const SimulationView& view) {
@@ -107,6 +117,7 @@ class Stress final : public Postprocessor {
       sum += (x[view.pairs.j[k]] - x[view.pairs.i[k]]) * Vec3(f.fx, f.fy, f.fz).transpose();
     }
     for (const WallContact& c : view.wall_contacts) sum += (c.point - x[c.particle]) * c.force.transpose();
+    for_each_applied(view, [&](Index, const Mat3& moment) { sum += moment; });
     return sum / view.specimen.volume;
   }
 
@@ -125,6 +136,7 @@ class Stress final : public Postprocessor {
     }
     for (const WallContact& c : view.wall_contacts)
       stress[c.particle] += (c.point - p.position[c.particle]) * c.force.transpose();
+    for_each_applied(view, [&](Index particle, const Mat3& moment) { stress[particle] += moment; });
     for (std::size_t k = 0; k < stress.size(); ++k) stress[k] = symmetric(stress[k] / volume_of(p.radius[k], view));
     return stress;
   }
