@@ -66,7 +66,7 @@ void Simulation::rebuild() {
 
 void Simulation::update_time_step(const std::vector<Index>& changed) {
   // Only new neighbours and walls can ask for a shorter step, and it only shrinks: a longer one half-way is not worth the jump.
-  critical_ = std::min(critical_, critical_time_step(state_, law_, changed));
+  critical_ = std::min(critical_, critical_time_step(state_, law_, incidence_, changed, settings_.threads));
   state_.time_step = settings_.safety * critical_;
 }
 

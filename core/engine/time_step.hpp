@@ -3,14 +3,23 @@
 #pragma once
 
 #include "breccia/contact_law.hpp"
+#include "engine/neighbours.hpp"
 #include "model/state.hpp"
 
 namespace breccia {
 
-/// A bound from each particle's own 6x6 stiffness with its neighbours held (all pairs of the list and wall touches
-/// counted as active): a spring's energy is at most twice that of its two ends moving alone, so the highest
-/// frequency of the system satisfies omega^2 <= 2 max_i lambda_max(M_i^-1 K_ii), and the step is 2/omega [s].
+/// A bound from each particle's own 6x6 stiffness K and damping C with its neighbours held (all pairs of the list and
+/// wall touches counted as active) [s]: the least dt, over the particles, at which
+///
+///   lambda_max(M^-1 (dt^2/2 K + dt C)) = 1;  without dashpots dt = 2/sqrt(2 lambda_max(M^-1 K)).
+///
+/// Why: a dashpot is evaluated with the velocity of the last half step, v- = (v- + v+)/2 - (v+ - v-)/2. The second part
+/// makes it leapfrog with the mass M - dt C/2, the first takes energy; the energy that undamped leapfrog conserves is
+/// then positive, and bounds the motion, while dt^2 K/4 + dt C/2 < M. A spring's energy, and a dashpot's power, are at
+/// most twice those of its two ends moving alone: 2 K and 2 C of single particles bound those of the whole system.
+///
 /// Looks at the given particles only; infinite when none of them is held by anything stiff.
-double critical_time_step(State& state, ContactLaw& law, const std::vector<Index>& particles);
+double critical_time_step(State& state, ContactLaw& law, const Incidence& incidence, const std::vector<Index>& particles,
+                          int threads);
 
 }  // namespace breccia

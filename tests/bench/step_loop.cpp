@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Time of the step loop per bond, on the specimen of a workflow: breccia_bench WORKFLOW [THREADS...]
+/// Time of the first 1000 steps on the specimen of a workflow: breccia_bench WORKFLOW [THREADS...]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,32 +26,96 @@ class Quiet final : public Host {
   int threads() const override { return 2; }
 };
 
-/// Minimum and median over batches of steps [ns per bond and step].
-std::pair<double, double> measure(const Workflow& w, const Registry& registry, const PackedParticles& packing, int threads) {
-  auto law = registry.create<ContactLaw>(w.contact_law);
-  auto protocol = registry.create<Protocol>(w.protocol);
-  EngineSettings settings;
-  settings.damping = {w.damping.translational, w.damping.rotational};
-  settings.threads = threads;
-  Simulation sim(assemble(packing, {w.material.density}, int(w.dimension), w.thickness), *law, settings);
-  sim.bond(w.bonding.rule());
-  Quiet host;
-  CurveTable curves;
-  protocol->setup(sim.view(), sim, curves, host);
-  sim.prepare();
-  constexpr int batches = 40, steps = 50;
-  std::vector<double> ns;
-  for (int b = 0; b < batches; ++b) {
-    const auto start = std::chrono::steady_clock::now();
-    for (int k = 0; k < steps; ++k) {
-      protocol->step(sim);
-      sim.forces();
-      sim.advance();
-    }
-    ns.push_back(std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count() / steps / double(sim.state().bonds.size()));
+template <class F> double seconds(F&& f) {
+  const auto start = std::chrono::steady_clock::now();
+  f();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// One simulation, run in batches.
+class Case {
+ public:
+  static constexpr int batches = 40, steps = 25;
+
+  Case(const Workflow& w, const Registry& registry, const PackedParticles& packing, int threads)
+      : threads_(threads),
+        law_(registry.create<ContactLaw>(w.contact_law)),
+        protocol_(registry.create<Protocol>(w.protocol)),
+        sim_(assemble(packing, {w.material.density}, int(w.dimension), w.thickness), *law_, settings(w, threads)) {
+    sim_.bond(w.bonding.rule());
+    protocol_->setup(sim_.view(), sim_, curves_, host_);
+    sim_.prepare();
   }
-  std::sort(ns.begin(), ns.end());
-  return {ns.front(), ns[ns.size() / 2]};
+
+  void batch() {
+    times_.push_back(seconds([&] {
+      for (int k = 0; k < steps; ++k) {
+        protocol_->step(sim_);
+        sim_.forces();
+        sim_.advance();
+      }
+    }));
+  }
+  void rebuild_lists() {
+    for (int k = 0; k < 5; ++k) rebuild_ = std::min(rebuild_, seconds([&] { sim_.prepare(); }));
+  }
+
+  int threads() const { return threads_; }
+  double wall_time() const { double sum = 0; for (const double t : times_) sum += t; return sum; }
+  double least() const { return *std::min_element(times_.begin(), times_.end()) / steps; }  // [s] per step
+  double median() const {
+    std::vector<double> sorted = times_;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted[sorted.size() / 2] / steps;
+  }
+  double rebuild() const { return rebuild_; }
+  const Simulation& simulation() const { return sim_; }
+
+ private:
+  static EngineSettings settings(const Workflow& w, int threads) {
+    EngineSettings s;
+    s.damping = {w.damping.translational, w.damping.rotational};
+    s.threads = threads;
+    return s;
+  }
+  int threads_;
+  std::unique_ptr<ContactLaw> law_;
+  std::unique_ptr<Protocol> protocol_;
+  Simulation sim_;
+  Quiet host_;
+  CurveTable curves_;
+  std::vector<double> times_;
+  double rebuild_ = 1e300;
+};
+
+/// What the workflow's reference says 1000 steps took elsewhere, if it does.
+std::string published(const Workflow& w, int threads) {
+  if (!w.reference.contains("threads") || !w.reference.contains("seconds_per_1000_steps")) return "";
+  const Json &count = w.reference["threads"], &time = w.reference["seconds_per_1000_steps"];
+  for (std::size_t k = 0; k < std::min(count.size(), time.size()); ++k)
+    if (count[k] == threads) return fmt::format("{:.2f}", time[k].get<double>());
+  return "";
+}
+
+void measure(const Workflow& w, const Registry& registry, const std::vector<int>& threads) {
+  Quiet host;
+  const PackingOutcome packing = obtain_packing(registry, w.packing, {int(w.dimension), w.thickness, std::uint64_t(w.seed)}, default_cache_folder(), host);
+  std::vector<std::unique_ptr<Case>> cases;
+  for (const int t : threads) cases.push_back(std::make_unique<Case>(w, registry, packing.particles, t));
+  // In turn, so that other work on the machine is in the way of each alike.
+  for (int b = 0; b < Case::batches; ++b)
+    for (const auto& c : cases) c->batch();
+  for (const auto& c : cases) c->rebuild_lists();
+
+  const State& s = cases[0]->simulation().state();
+  const double bonds = double(s.bonds.size()), one = cases[0]->least();
+  fmt::print("{}: {} particles, {} bonds, {} pairs; time step {:.4g} us; {} batches of {} steps\n", w.name, s.particles.size(),
+             s.bonds.size(), s.pairs.size(), 1e6 * s.time_step, Case::batches, Case::steps);
+  fmt::print("{:>7}  {:>11} {:>8}  {:>12} {:>7} {:>10}  {:>8}  {:>10}\n", "", "ns per bond", "and step", "s per 1000", "steps", "", "", "pair list");
+  fmt::print("{:>7}  {:>11} {:>8}  {:>12} {:>7} {:>10}  {:>8}  {:>10}\n", "threads", "minimum", "median", "minimum", "wall", "published", "speed-up", "made in ms");
+  for (const auto& c : cases)
+    fmt::print("{:>7}  {:>11.2f} {:>8.2f}  {:>12.2f} {:>7.2f} {:>10}  {:>8.2f}  {:>10.1f}\n", c->threads(), 1e9 * c->least() / bonds,
+               1e9 * c->median() / bonds, 1e3 * c->least(), c->wall_time(), published(w, c->threads()), one / c->least(), 1e3 * c->rebuild());
 }
 
 }  // namespace
@@ -59,21 +123,11 @@ std::pair<double, double> measure(const Workflow& w, const Registry& registry, c
 int main(int argc, char** argv) {
   try {
     if (argc < 2) throw UserError("usage: breccia_bench WORKFLOW [THREADS...]");
-    Registry registry;
-    const LoadedWorkflow loaded = load_workflow(argv[1], {}, registry);
-    const Workflow& w = loaded.workflow;
-    Quiet host;
-    const PackingOutcome packing = obtain_packing(registry, w.packing, {int(w.dimension), w.thickness, std::uint64_t(w.seed)}, default_cache_folder(), host);
     std::vector<int> threads;
     for (int k = 2; k < argc; ++k) threads.push_back(std::stoi(argv[k]));
     if (threads.empty()) threads = {1, 2};
-    fmt::print("{}: {} particles; 40 batches of 50 steps, ns per bond-step\n", w.name, packing.particles.position.size());
-    double one = 0;
-    for (const int t : threads) {
-      const auto [least, median] = measure(w, registry, packing.particles, t);
-      if (one == 0) one = least;
-      fmt::print("{} thread{}: minimum {:.2f}, median {:.2f}, speed-up {:.2f}\n", t, t == 1 ? " " : "s", least, median, one / least);
-    }
+    Registry registry;
+    measure(load_workflow(argv[1], {}, registry).workflow, registry, threads);
   } catch (const std::exception& e) {
     fmt::print(stderr, "{}\n", e.what());
     return 2;

@@ -68,9 +68,11 @@ struct ContactForce {
   double fracture_energy = 0;                     ///< stored energy lost because it broke in this step [J]
 };
 
-/// Linearised stiffness for the time step: translations [N/m], rotations [N m/rad].
+/// Linearised stiffness for the time step: translations [N/m], rotations [N m/rad]; and the constant of a dashpot along
+/// the normal [N s/m].
 struct ContactStiffness {
   double normal = 0, shear = 0, bending = 0, torsion = 0;
+  double damping = 0;
 };
 
 template <class State> struct StateColumn {

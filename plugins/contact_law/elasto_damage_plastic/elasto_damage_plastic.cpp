@@ -41,7 +41,6 @@ struct Law {
         soft_s(c.softening_shear),
         coupling(c.failure == Failure::coupled ? 1.0 : 0.0) {
     if (c.compressive_limits) hardening = Hardening(modulus, *c.compressive_limits, *c.compressive_slope_ratios);
-    least_step = estimate_step(assembly);
   }
 
   BRECCIA_KERNEL State initial(const Contact&) const { return {0, 0, 0, 0, 0, 0, 0, 0}; }
@@ -121,11 +120,9 @@ struct Law {
     return 0.5 * (grip * ea * c.rest_length * elastic * elastic + shear * spring2);
   }
 
-  /// Leapfrog with a dashpot C is stable while dt^2 K/4 + dt C/2 stays below the mass, as if the spring were stiffer by
-  /// 2 C/dt. The step that comes out is longer than `least_step`, so this is on the safe side.
   BRECCIA_KERNEL ContactStiffness stiffness(const Contact& c) const {
     const double area = contact_area(c), kn = modulus * area / c.rest_length;
-    return {kn + 2 * dashpot(c, area, kn) / least_step, kn * shear_ratio, 0, 0};
+    return {kn, kn * shear_ratio, 0, 0, dashpot(c, area, kn)};
   }
 
   Json derived() const { return {{"area_factor", area_factor}}; }
@@ -172,35 +169,12 @@ struct Law {
     return 40 * a.porosity / a.coordination_number;
   }
 
-  /// Below the stable step of the specimen [s]: each particle among as many equal ones as it has bonds (six at least,
-  /// for those that may come to touch), half of which resist any one motion. An equal partner is the stiffest.
-  double estimate_step(const Assembly& a) const {
-    std::vector<double> bonds(a.radius.size(), 0);
-    for (std::size_t k = 0; k < a.bond_i.size(); ++k) {
-      ++bonds[a.bond_i[k]];
-      ++bonds[a.bond_j[k]];
-    }
-    const double rolling = (a.dimension == 2 ? 3 : 3.5) * shear_ratio;  // 1 + m r^2/J: shear also turns the particle
-    double least = 1e300;
-    for (std::size_t k = 0; k < a.radius.size(); ++k) {
-      Contact c{};
-      c.radius_i = c.radius_j = a.radius[k];
-      c.rest_length = 2 * a.radius[k];
-      c.reduced_mass = 0.5 * a.mass[k];
-      const double area = contact_area(c), kn = modulus * area / c.rest_length, half = 0.5 * std::max(bonds[k], 6.0);
-      const double dash = half * dashpot(c, area, kn), stiff = half * kn * std::max(1.0, rolling);
-      least = std::min(least, 2 * a.mass[k] / (dash + std::sqrt(dash * dash + 2 * stiff * a.mass[k])));
-    }
-    return least;
-  }
-
   double area_factor;               // alpha [1]
   double area_square, area_linear;  // alpha A = area_square r^2 + area_linear r; one of them is zero [1], [m]
   double modulus, shear_ratio;      // E [Pa], K_s/K_n
   double damping;                   // 2 xi [1]
   double limit_strain, shear_strength, internal_friction, friction;  // sigma_t/E, tau [Pa], mu1, mu2
   double soft_n, soft_s, coupling;                                   // delta_n, delta_s; 1 when coupled, else 0
-  double least_step = 0;                                             // [s]
   Hardening hardening;
 };
 
