@@ -156,6 +156,18 @@ TEST(TangentDiscs, TouchExactlyOverlapNowhereAndStayInside) {
     }
 }
 
+/// Some of so many triples of curves have discs that the closed form alone misses by more: all end at rounding.
+TEST(TangentDiscs, RareTriplesTouchAsExactly) {
+  double gap = 0, overlap = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const PackedParticles p = pack(round(0.025), seed);
+    gap = std::max(gap, got(p, "max_gap"));
+    overlap = std::max(overlap, got(p, "max_overlap"));
+  }
+  EXPECT_LT(gap, 5e-14);
+  EXPECT_LT(overlap, 5e-14);
+}
+
 TEST(TangentDiscs, NoPlaceIsLeftForTheSmallestDisc) {
   for (const Case& c : cases) {
     SCOPED_TRACE(c.name);
@@ -201,7 +213,7 @@ TEST(TangentDiscs, SpecimensOfOuyangAndOthersAreAsPublished) {
 }
 
 TEST(TangentDiscs, BondsPointEverywhere) {
-  // For n independent directions n_x n_x has a standard deviation of 1/sqrt(8 n): 0.0023 for five squares.
+  // For n independent directions n_x n_x has a standard deviation of 1/sqrt(8 n): 0.0022 for five squares.
   const Json square = rectangle(0.05, 0.05);
   double xx = 0, xy = 0;
   for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
@@ -209,15 +221,14 @@ TEST(TangentDiscs, BondsPointEverywhere) {
     xx += f.xx / 5;
     xy += f.xy / 5;
   }
-  EXPECT_NEAR(xx, 0.5, 0.008);
-  EXPECT_NEAR(xy, 0.0, 0.008);
+  EXPECT_NEAR(xx, 0.5, 0.004);
+  EXPECT_NEAR(xy, 0.0, 0.004);
 }
 
 TEST(TangentDiscs, WallsAreLinedWithoutHoles) {
   for (const Case& c : {cases[0], cases[1]}) {
     SCOPED_TRACE(c.name);
     const PackedParticles p = pack(c.config);
-    // The length of the outline that a disc of the wall and its half of the gaps to both sides can cover is limited.
     const double outline = c.config["container"]["shape"] == "sphere" ? std::numbers::pi * 0.025 : 0.1;
     EXPECT_GT(got(p, "tangencies_with_walls"), outline / (2 * 0.9e-3));
     std::vector<double> along;   // the discs on the lower wall, or round the wall in radians
