@@ -63,7 +63,8 @@ class HeldPair {
       now_.normal += by.normal;
       const double distance = start() + now_.normal, half_gap = 0.5 * (distance - setup_.radius_i - setup_.radius_j);
       const double share_i = -(setup_.radius_j + half_gap) / distance, share_j = (setup_.radius_i + half_gap) / distance;
-      const Vec3 roll(0, by.shear_z / distance, -by.shear_y / distance), bend(0, by.bend_y, by.bend_z), twist(0.5 * by.twist, 0, 0);
+      const Vec3 roll(0, by.shear_z / distance, -by.shear_y / distance), bend(0, by.bend_y, by.bend_z),
+          twist(0.5 * by.twist, 0, 0);
       simulation_->hold(0, dof::all, Vec3::Zero(), (roll + share_i * bend - twist) / dt);
       simulation_->hold(1, dof::all, Vec3(by.normal / dt, 0, 0), (roll + share_j * bend + twist) / dt);
       const Vec3 force = this->force(), moment = this->moment();

@@ -194,7 +194,8 @@ TEST(NonlinearTension, TorsionShearsTheRim) {
 }
 
 TEST(NonlinearTension, StiffnessesFollowFromTheModulusAndTheReferenceRadius) {
-  const Json bars = {{"normal_stiffness", nullptr}, {"bond_modulus", 1e9}, {"bending_stiffness", nullptr}, {"bending_ratio", 0.25}};
+  const Json bars = {
+      {"normal_stiffness", nullptr}, {"bond_modulus", 1e9}, {"bending_stiffness", nullptr}, {"bending_ratio", 0.25}};
   PairSetup setup;
   setup.radius_j = 2e-3;
   Pair spheres(bars, setup);

@@ -23,8 +23,9 @@ Bench pair(const Stiffness& k, int dimension, double safety, bool bonded = true)
   p.outline = SpecimenShape::Outline::box;
   EngineSettings settings;
   settings.safety = safety;
-  Json law = nonlinear_tension({{"normal_stiffness", kn}, {"shear_stiffness_ratio", k.shear_ratio}, {"bending_stiffness", k.bending},
-                                {"torsion_ratio", k.torsion_ratio}, {"tensile_strain_limit", 1e3}});
+  Json law = nonlinear_tension({{"normal_stiffness", kn}, {"shear_stiffness_ratio", k.shear_ratio},
+                                {"bending_stiffness", k.bending}, {"torsion_ratio", k.torsion_ratio},
+                                {"tensile_strain_limit", 1e3}});
   law.erase("bond_modulus");
   law.erase("bending_ratio");
   Bench b = make_bench(p, law, bonded ? 1e-9 : -1e-3, settings, dimension, "nonlinear_tension");
@@ -83,7 +84,8 @@ TEST(Moments, TheCriticalStepKnowsOfBendingAndTorsion) {
       double most = 0.5 * (p + q) + std::sqrt(0.25 * (p - q) * (p - q) + coupling * coupling);
       most = std::max(most, kn / length / m);
       if (dimension == 3) most = std::max(most, k.bending * k.torsion_ratio / inert);
-      EXPECT_NEAR(pair(k, dimension, 1)->critical_step(), std::sqrt(2 / most), 1e-9 * std::sqrt(2 / most)) << dimension << " " << k.bending;
+      const double known = std::sqrt(2 / most);
+      EXPECT_NEAR(pair(k, dimension, 1)->critical_step(), known, 1e-9 * known) << dimension << " " << k.bending;
     }
   const auto alone = [](double bending) { return pair({0.5, bending, 1}, 3, 1, false)->critical_step(); };
   EXPECT_EQ(alone(1e6), alone(0)) << "without a bond there is nothing to bend";
