@@ -114,6 +114,38 @@ TEST_F(Drive, TimesMakeRates) {
   EXPECT_NEAR(at("energy_error_J", 30), 0, 1e-15);
 }
 
+TEST_F(Drive, BondsBendTwistAndBreak) {
+  // Spheres of 1 mm, k_n = 1 MN over 2 mm; bending 50, torsion 2 0.5 50 N m/rad; the rim strains by 0.4 of a rotation.
+  const std::string net =
+      "nonlinear_tension --set 'contact_law.normal_stiffness=1 MN' --set contact_law.shear_stiffness_ratio=0.5 "
+      "--set 'contact_law.bending_stiffness=50 N m/rad' --set contact_law.tensile_strain_limit=4e-3 "
+      "--set contact_law.tension_shape=0.2 --set contact_law.bond_width=0.8 --set contact_law.shear_strain_ratio=3.5 "
+      "--set contact_law.shear_strain_cap_ratio=10 --set 'contact_law.internal_friction_angle=45 deg' "
+      "--set 'contact_law.friction_angle=39 deg' ";
+  write("path.csv",
+        "normal_m,shear_m,rotation_rad,twist_rad\n1.6e-6,2e-6,0.004,0.01\n-2e-6,2e-6,-0.004,0.01\n"
+        "-2e-6,2e-6,-0.004,0.05\n-2e-6,2e-6,-0.02,0\n");
+  run(net + "--steps 400");
+  EXPECT_NEAR(at("normal_force_N", 400), 505.6964471, 1e-5) << "800 (1 - 1/e)";
+  EXPECT_NEAR(at("shear_force_N", 400), 500, 1e-6);
+  EXPECT_NEAR(at("bending_moment_N_m", 400), 0.2, 1e-9);
+  EXPECT_NEAR(at("torque_N_m", 400), 0.5, 1e-9);
+  EXPECT_NEAR(at("energy_error_J", 400), 0, 1e-6 * at("work_J", 400));
+  EXPECT_NEAR(at("normal_force_N", 800), -1000, 1e-5);
+  EXPECT_NEAR(at("bending_moment_N_m", 800), -0.2, 1e-9);
+  EXPECT_NEAR(at("bending_z_rad", 800), -0.004, 1e-12);
+  EXPECT_EQ(at("bond_state", 800), 1);
+  EXPECT_EQ(at("bond_state", 1200), 3) << "1e-3 + 0.4 0.05 is more than 14e-3 + 1e-3";
+  EXPECT_EQ(at("torque_N_m", 1200), 0);
+  EXPECT_NEAR(at("shear_force_N", 1200), 500, 1e-5) << "below friction: it sticks";
+  EXPECT_EQ(at("bending_moment_N_m", 1600), 0) << "no bond, no moment";
+  EXPECT_NEAR(at("energy_error_J", 1600), 0, 1e-2 * at("fracture_energy_J", 1600));
+  write("path.csv", "normal_m,rotation_rad\n0,0.0101\n");
+  run(net + "--set dimension=2 --set 'thickness=2 m'");
+  EXPECT_NEAR(at("bending_moment_N_m", 100), 2 * 50 * 0.00505, 1e-9);
+  EXPECT_EQ(at("bond_state", 200), 2) << "the rim breaks in tension";
+}
+
 TEST_F(Drive, AWorkflowGivesItsLaw) {
   write("path.csv", "normal_m\n1e-6\n");
   write("flow.yaml", "name: incomplete\n");

@@ -21,8 +21,8 @@ Vec3 angular_momentum(const State& s) {
 }
 
 /// A block whose upper half starts toward the lower one, with some shear and spin.
-Bench colliding_block(double speed, const EngineSettings& settings, const Json& law) {
-  Bench b = make_bench(random_block(5, 5, 10, 1e-3, 7), law, 0.15, settings);
+Bench colliding_block(double speed, const EngineSettings& settings, const Json& law, const std::string& name) {
+  Bench b = make_bench(random_block(5, 5, 10, 1e-3, 7), law, 0.15, settings, 3, name);
   b->prepare();
   for (Index k = 0; k < b->state().particles.size(); ++k) {
     const bool up = b->state().particles.position[k].z() > 10e-3;
@@ -39,11 +39,11 @@ struct Errors {
 };
 
 /// The same physical time for every safety factor.
-Errors after_collision(double speed, double safety, double damping, const Json& law) {
+Errors after_collision(double speed, double safety, double damping, const Json& law, const std::string& name = "elastic_brittle") {
   EngineSettings settings;
   settings.safety = safety;
   settings.damping = {damping, damping};
-  Bench b = colliding_block(speed, settings, law);
+  Bench b = colliding_block(speed, settings, law, name);
   b->forces();
   b->mark_start_of_loading();
   const Vec3 p0 = momentum(b->state()), l0 = angular_momentum(b->state());
@@ -76,6 +76,29 @@ TEST(Conservation, LedgerClosesWithDampingFrictionAndBreakage) {
   EXPECT_GT(fine.fracture, 0.001);
   EXPECT_GT(fine.friction, 0.001);
   EXPECT_GT(fine.damping, 0.1);
+  EXPECT_LT(std::abs(coarse.energy), 0.05);
+  EXPECT_LT(std::abs(fine.energy), 0.005);
+}
+
+TEST(Conservation, AFreeBodyWhoseBondsBendAndTwist) {
+  // Unbreakable, with the exponential's curvature where the strains are: b e_n0 = 8e-4.
+  const Json unbreakable = nonlinear_tension({{"tensile_strain_limit", 1e3}, {"tension_shape", 8e-7}});
+  const Errors coarse = after_collision(0.5, 0.4, 0, unbreakable, "nonlinear_tension"),
+               fine = after_collision(0.5, 0.1, 0, unbreakable, "nonlinear_tension");
+  EXPECT_EQ(fine.broken, 0u);
+  EXPECT_GT(fine.elastic, 0.01) << "the test must store something";
+  EXPECT_LT(coarse.momentum, 1e-11);
+  EXPECT_LT(fine.angular, 1e-5);
+  EXPECT_LT(std::abs(fine.energy), 1e-3);
+  EXPECT_LT(std::abs(fine.energy), 0.4 * std::abs(coarse.energy));
+}
+
+TEST(Conservation, LedgerClosesWhenBondsThatBendBreak) {
+  const Errors coarse = after_collision(40, 0.4, 0.3, nonlinear_tension(), "nonlinear_tension"),
+               fine = after_collision(40, 0.05, 0.3, nonlinear_tension(), "nonlinear_tension");
+  EXPECT_GT(fine.broken, 50u) << "the test must break something";
+  EXPECT_GT(fine.fracture, 0.001);
+  EXPECT_GT(fine.friction, 0.001);
   EXPECT_LT(std::abs(coarse.energy), 0.05);
   EXPECT_LT(std::abs(fine.energy), 0.005);
 }

@@ -9,11 +9,11 @@
 namespace breccia::testing {
 namespace {
 
-TEST(Plane, DiscsBreakAndStayInTheirPlane) {
+void crush_discs(const Json& law, const std::string& name) {
   PackedParticles p = random_block(8, 12, 1, 1e-3, 21);
   for (Vec3& x : p.position) x.z() = 0;
   p.axis = Vec3::UnitY();
-  Bench b = make_bench(p, elastic_brittle(), 0.15, {}, 2);
+  Bench b = make_bench(p, law, 0.15, {}, 2, name);
   const Particles& q = b->state().particles;
   EXPECT_NEAR(q.mass[0], 2650 * std::numbers::pi * q.radius[0] * q.radius[0], 1e-12 * q.mass[0]) << "thickness 1 m";
   EXPECT_NEAR(q.inertia[0], 0.5 * q.mass[0] * q.radius[0] * q.radius[0], 1e-12 * q.inertia[0]);
@@ -32,6 +32,11 @@ TEST(Plane, DiscsBreakAndStayInTheirPlane) {
     ASSERT_EQ(q.angular_velocity[k].x(), 0);
     ASSERT_EQ(q.angular_velocity[k].y(), 0);
   }
+}
+
+TEST(Plane, DiscsBreakAndStayInTheirPlane) {
+  crush_discs(elastic_brittle(), "elastic_brittle");
+  crush_discs(nonlinear_tension({{"tensile_strain_limit", 5e-4}}), "nonlinear_tension");
 }
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace breccia::testing {
 namespace {
 
-State crushed(int threads) {
+State crushed(int threads, const Json& law, const std::string& name) {
   EngineSettings settings;
   settings.threads = threads;
   settings.damping = {0.2, 0.2};
-  Bench b = make_bench(random_block(8, 8, 12, 1e-3, 11), elastic_brittle(), 0.15, settings);
+  Bench b = make_bench(random_block(8, 8, 12, 1e-3, 11), law, 0.15, settings, 3, name);
   const auto& s = b->state().specimen;
   const auto low = b->add_wall({"low", s.base, Vec3::UnitZ(), 15e6, 5e6, 0.3});
   const auto high = b->add_wall({"high", s.base + s.height * Vec3::UnitZ(), -Vec3::UnitZ(), 15e6, 5e6, 0.3});
@@ -29,22 +29,27 @@ template <class T> bool same_bits(const std::vector<T>& a, const std::vector<T>&
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
 }
 
-TEST(Threads, SameBitsForOneTwoThreeAndEight) {
-  const State one = crushed(1);
+void expect_same_bits(const Json& law, const std::string& name) {
+  const State one = crushed(1, law, name);
   std::size_t broken = 0;
   for (const BondState s : one.bonds.state) broken += is_broken(s);
   ASSERT_GT(broken, 100u) << "the test must break something";
   ASSERT_NE(one.pairs.size(), one.bonds.size()) << "the test must rebuild its list";
   for (const int threads : {2, 3, 8}) {
-    const State many = crushed(threads);
+    const State many = crushed(threads, law, name);
     EXPECT_TRUE(same_bits(one.particles.position, many.particles.position)) << threads;
     EXPECT_TRUE(same_bits(one.particles.velocity, many.particles.velocity)) << threads;
     EXPECT_TRUE(same_bits(one.particles.angular_velocity, many.particles.angular_velocity)) << threads;
-    EXPECT_TRUE(same_bits(one.pairs.columns[0], many.pairs.columns[0])) << threads;
+    for (std::size_t c = 0; c < one.pairs.columns.size(); ++c)
+      EXPECT_TRUE(same_bits(one.pairs.columns[c], many.pairs.columns[c])) << threads << " threads, column " << c;
+    EXPECT_TRUE(same_bits(one.pairs.moment, many.pairs.moment)) << threads;
     EXPECT_TRUE(same_bits(one.bonds.break_time, many.bonds.break_time)) << threads;
     EXPECT_TRUE(std::memcmp(&one.energy, &many.energy, sizeof one.energy) == 0) << threads;
   }
 }
+
+TEST(Threads, SameBitsForOneTwoThreeAndEight) { expect_same_bits(elastic_brittle(), "elastic_brittle"); }
+TEST(Threads, SameBitsWithMoments) { expect_same_bits(nonlinear_tension(), "nonlinear_tension"); }
 
 }  // namespace
 }  // namespace breccia::testing
