@@ -144,7 +144,7 @@ double Simulation::elastic_energy() {
 
 ParticlesView Simulation::particles() const {
   const Particles& p = state_.particles;
-  return {p.position, p.velocity, p.angular_velocity, p.reference_position, p.force, p.torque, p.applied_force, p.radius, p.mass, p.id};
+  return {p.position, p.velocity, p.angular_velocity, p.reference_position, p.force, p.torque, p.applied_force, p.applied_moment, p.radius, p.mass, p.id};
 }
 
 BondStiffness Simulation::bond_stiffness() {
@@ -226,9 +226,11 @@ void Simulation::release(Index a, std::uint8_t mask) {
   state_.particles.held[a] = std::uint8_t((state_.particles.held[a] & ~mask) | always);
 }
 
-void Simulation::set_applied_force(Index a, const Vec3& force) {
+void Simulation::set_applied_force(Index a, const Vec3& force, const Mat3& moment) {
   external_force_[a] += force - state_.particles.applied_force[a];
   state_.particles.applied_force[a] = force;
+  state_.particles.applied_moment.resize(state_.particles.size(), Mat3::Zero());
+  state_.particles.applied_moment[a] = moment;
   any_applied_ = true;
 }
 

@@ -43,7 +43,7 @@ class Simulation final : public LoadControl {
   void set_wall_velocity(std::size_t wall, const Vec3& velocity) override;
   void hold(Index particle, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity) override;
   void release(Index particle, std::uint8_t mask) override;
-  void set_applied_force(Index particle, const Vec3& force) override;
+  void set_applied_force(Index particle, const Vec3& force, const Mat3& moment) override;
   SpecimenShape set_specimen_axis(const Vec3& axis) override;
   void mark_start_of_loading() override;
   double time() const override { return state_.time; }
