@@ -114,19 +114,27 @@ void try_plugins(const Workflow& w, const Registry& registry) {
   for (const PluginChoice& c : w.renderers) registry.create<Renderer>(c);
 }
 
-}  // namespace
-
-LoadedWorkflow load_workflow(const fs::path& file, const std::vector<std::string>& overrides, Registry& registry) {
-  const BaseChain chain = follow_bases(read_text(file), file.string());
-  for (const fs::path& path : plugin_paths(chain)) registry.add(path);
+LoadedWorkflow loaded_from(Json config, const fs::path& file, const Registry& registry) {
   LoadedWorkflow loaded;
-  loaded.config = read_config(chain, workflow_schema(), registry, overrides);
+  loaded.config = std::move(config);
   if (loaded.config["name"] == "") loaded.config["name"] = file.stem().string();
   Schema<Workflow> schema;
   Workflow::describe(schema);
   loaded.workflow = schema.load(loaded.config);
   try_plugins(loaded.workflow, registry);
   return loaded;
+}
+
+}  // namespace
+
+LoadedWorkflow load_workflow(const fs::path& file, const std::vector<std::string>& overrides, Registry& registry) {
+  const BaseChain chain = follow_bases(read_text(file), file.string());
+  for (const fs::path& path : plugin_paths(chain)) registry.add(path);
+  return loaded_from(read_config(chain, workflow_schema(), registry, overrides), file, registry);
+}
+
+LoadedWorkflow load_workflow(const BaseChain& chain, const ValuesOnTop& on_top, const Registry& registry) {
+  return loaded_from(read_config(chain, workflow_schema(), registry, on_top), chain.files[0].name, registry);
 }
 
 }  // namespace breccia

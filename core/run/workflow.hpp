@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "breccia/schema.hpp"
+#include "config/base_chain.hpp"
 #include "engine/bonding.hpp"
 #include "plugin/registry.hpp"
 
@@ -71,5 +72,8 @@ const ParamSpec& workflow_schema();
 /// Reads and checks a workflow file and its bases; the plugins named under `plugins:` are added to the registry first.
 /// Makes each of its plugins once, and looks for the files that its packing needs. ConfigError with every problem.
 LoadedWorkflow load_workflow(const std::filesystem::path& file, const std::vector<std::string>& overrides, Registry& registry);
+
+/// The same of a chain whose plugins have been added, with the values of a study in it.
+LoadedWorkflow load_workflow(const BaseChain& chain, const ValuesOnTop& on_top, const Registry& registry);
 
 }  // namespace breccia
