@@ -22,14 +22,16 @@ namespace fs = std::filesystem;
 fs::path results_folder(const SweepArguments& a, const Sweep& sweep) {
   const fs::path folder = a.output.empty() ? fs::path("results") / sweep.study().study.name : a.output;
   std::error_code unknown;
-  if (fs::exists(folder, unknown) && !fs::is_directory(folder, unknown)) throw UserError("cannot write results to " + folder.string() + ": it is a file");
+  if (fs::exists(folder, unknown) && !fs::is_directory(folder, unknown))
+    throw UserError("cannot write results to " + folder.string() + ": it is a file");
   if (fs::exists(folder, unknown) && !fs::is_empty(folder, unknown) && !fs::is_directory(folder / "cases", unknown))
     throw UserError("the folder " + folder.string() + " holds files but no cases of a study: choose another with --output");
   return folder;
 }
 
 UserError changed(const std::string& which) {
-  return UserError(which + " of other inputs: the study or a workflow has changed since. Nothing was run. "
+  return UserError(which +
+                   " of other inputs: the study or a workflow has changed since. Nothing was run. "
                    "Choose another folder with --output, or have them run again with --overwrite");
 }
 
@@ -49,7 +51,8 @@ int run_one(const SweepArguments& a, const Sweep& sweep) {
   record.begin();
   try {
     console.log_to(folder / "run.log");
-    console.info(fmt::format("breccia {}: case {} of study `{}` into {}", BRECCIA_VERSION, c.number, sweep.study().study.name, folder.string()));
+    console.info(fmt::format("breccia {}: case {} of study `{}` into {}", BRECCIA_VERSION, c.number, sweep.study().study.name,
+                             folder.string()));
     const RunOutcome outcome = run_workflow(resolved.loaded, sweep.registry(c), {folder, default_cache_folder()}, console);
     console.clear_bar();
     outcome.interrupted ? record.interrupted() : record.finished();
@@ -85,8 +88,8 @@ std::vector<const PlannedCase*> to_run(const SweepPlan& plan, const fs::path& fo
     if (state == CaseState::other_inputs) stale.push_back(c.the.folder);
   }
   if (!stale.empty() && !overwrite)
-    throw changed(fmt::format("{} finished case{} in {} ({}{}) {}", stale.size(), stale.size() == 1 ? "" : "s", folder.string(), stale[0],
-                              stale.size() == 1 ? "" : ", ...", stale.size() == 1 ? "is" : "are"));
+    throw changed(fmt::format("{} finished case{} in {} ({}{}) {}", stale.size(), stale.size() == 1 ? "" : "s", folder.string(),
+                              stale[0], stale.size() == 1 ? "" : ", ...", stale.size() == 1 ? "is" : "are"));
   return open;
 }
 
@@ -98,17 +101,17 @@ class LocalRun {
     std::vector<SweepJob> jobs;
     for (const PlannedCase* c : open) {
       const fs::path place = case_folder(folder_, c->the);
-      std::error_code error;
-      fs::create_directories(place, error);
-      if (error) throw UserError("cannot make the folder " + place.string() + ": " + error.message());
-      SweepJob job{{"sweep", a_.study.string(), "--case", std::to_string(c->the.number), "--output", folder_.string(), "--threads",
-                    std::to_string(a_.threads), "--expect", c->hash, "--parent", std::to_string(getpid())}, place / case_log};
+      SweepJob job{{"sweep", a_.study.string(), "--case", std::to_string(c->the.number), "--output", folder_.string(),
+                    "--threads", std::to_string(a_.threads), "--expect", c->hash, "--parent", std::to_string(getpid())},
+                   place / case_log};
       if (a_.overwrite) job.arguments.push_back("--overwrite");
       jobs.push_back(std::move(job));
     }
     const int cores = int(std::max(1u, std::thread::hardware_concurrency()));
     const int at_once = a_.jobs > 0 ? a_.jobs : std::max(1, cores / a_.threads);
-    run_jobs(jobs, at_once, [&] { return console_.cancelled(); }, [&](std::size_t k, const JobEnd& end) { ended(*open[k], jobs[k].log, end, jobs.size()); });
+    run_jobs(
+        jobs, at_once, [&] { return console_.cancelled(); },
+        [&](std::size_t k, const JobEnd& end) { ended(*open[k], jobs[k].log, end, jobs.size()); });
   }
 
  private:
@@ -118,15 +121,17 @@ class LocalRun {
     if (now.state != CaseState::finished && now.state != CaseState::failed && !console_.cancelled()) {
       // It could not say so itself.
       const std::string said = last_line(log);
-      const std::string how = end.signal ? fmt::format("the process was ended by signal {} ({})", end.signal, strsignal(end.signal))
-                                         : fmt::format("the process ended with code {}", end.code);
+      const std::string how = end.signal
+                                  ? fmt::format("the process was ended by signal {} ({})", end.signal, strsignal(end.signal))
+                                  : fmt::format("the process ended with code {}", end.code);
       now = {CaseState::failed, end.signal || said.empty() ? how + (said.empty() ? "" : "; its last words: " + said) : said};
       record_crash(place, c.hash, now.error);
     }
     std::error_code ignored;
     if (now.state == CaseState::finished) fs::remove(log, ignored);  // run.log has the same
-    console_.info(fmt::format("[{}/{}] {}: {}", ++done_, count, c.the.folder,
-                              now.state == CaseState::failed ? "failed: " + now.error.substr(0, now.error.find('\n')) : state_text(now.state)));
+    console_.info(fmt::format(
+        "[{}/{}] {}: {}", ++done_, count, c.the.folder,
+        now.state == CaseState::failed ? "failed: " + now.error.substr(0, now.error.find('\n')) : state_text(now.state)));
   }
 
   const SweepArguments& a_;
@@ -184,7 +189,9 @@ int sweep(const SweepArguments& a) {
     console.info(fmt::format("study `{}`: {} cases, {} to run", sweep.study().study.name, planned.cases.size(), open.size()));
     LocalRun(a, folder, console).run(open);
     if (console.cancelled()) {
-      console.info(fmt::format("stopped on request; the same command goes on where it stopped, --collect gathers what there is in {}", folder.string()));
+      console.info(
+          fmt::format("stopped on request; the same command goes on where it stopped, --collect gathers what there is in {}",
+                      folder.string()));
       return interrupted;
     }
   }

@@ -16,7 +16,8 @@ class Walk {
 
   void members(const ParamSpec& group, const std::string& path, Json& values) const {
     for (const auto& [key, value] : values.items()) {
-      const auto spec = std::find_if(group.members.begin(), group.members.end(), [&](const ParamSpec& m) { return m.name == key; });
+      const auto spec =
+          std::find_if(group.members.begin(), group.members.end(), [&](const ParamSpec& m) { return m.name == key; });
       if (spec != group.members.end()) member(*spec, member_path(path, key), values[key]);
     }
   }
@@ -24,15 +25,18 @@ class Walk {
  private:
   void member(const ParamSpec& spec, const std::string& path, Json& value) const {
     switch (spec.type) {
-      case ParamType::group: return members(spec, path, value);
-      case ParamType::plugin: return plugin(spec, path, value);
+      case ParamType::group:
+        return members(spec, path, value);
+      case ParamType::plugin:
+        return plugin(spec, path, value);
       case ParamType::group_list:
         for (std::size_t k = 0; k < value.size(); ++k) members(spec, item_path(path, k), value[k]);
         return;
       case ParamType::plugin_list:
         for (std::size_t k = 0; k < value.size(); ++k) plugin(spec, item_path(path, k), value[k]);
         return;
-      default: visit_(spec, path, value);
+      default:
+        visit_(spec, path, value);
     }
   }
   void plugin(const ParamSpec& spec, const std::string& path, Json& value) const {

@@ -52,9 +52,7 @@ class Row {
  public:
   Row(const std::string& key, const std::vector<ComparedRun>& runs) : key_(key) {
     std::tie(name_, unit_) = split_unit(key);
-    std::replace(name_.begin(), name_.end(), '_', ' ');
-    for (const auto& [written, read] : {std::pair{"youngs modulus", "Young's modulus"}, {"poisson ratio", "Poisson's ratio"}})
-      if (name_ == written) name_ = read;
+    name_ = readable(name_);
     double largest = 0;
     for (const ComparedRun& run : runs)
       for (const Json& v : {value_of(run.summary, key_), reference_of(run, key_)})

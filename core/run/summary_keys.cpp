@@ -6,8 +6,8 @@
 namespace breccia {
 
 bool is_bookkeeping(const std::string& key) {
-  static constexpr const char* all[] = {"threads",     "steps",            "time_step_s",            "simulated_time_s",
-                                        "wall_time_s", "ns_per_bond_step", "neighbour_list_rebuilds"};
+  static constexpr const char* all[] = {
+      "threads", "steps", "time_step_s", "simulated_time_s", "wall_time_s", "ns_per_bond_step", "neighbour_list_rebuilds"};
   return std::find(std::begin(all), std::end(all), key) != std::end(all);
 }
 
@@ -15,6 +15,13 @@ std::pair<std::string, std::string> split_unit(const std::string& key) {
   for (const std::string unit : {"Pa", "m", "s", "N", "J", "kg", "m2", "m3", "rad"})
     if (key.ends_with("_" + unit)) return {key.substr(0, key.size() - unit.size() - 1), unit};
   return {key, ""};
+}
+
+std::string readable(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  for (const auto& [written, read] : {std::pair{"youngs modulus", "Young's modulus"}, {"poisson ratio", "Poisson's ratio"}})
+    if (name == written) return read;
+  return name;
 }
 
 std::vector<std::pair<std::string, Json>> numbers_below(const Json& object, const std::string& prefix) {

@@ -16,6 +16,9 @@ bool is_bookkeeping(const std::string& key);
 /// "peak_stress_Pa" as "peak_stress" and "Pa"; the unit is empty for a pure number.
 std::pair<std::string, std::string> split_unit(const std::string& key);
 
+/// A name for readers: "peak stress", "Young's modulus".
+std::string readable(std::string name);
+
 /// The numbers below a JSON object with their dotted names, truth values as 1 and 0. A number that a run could not
 /// measure is null and kept.
 std::vector<std::pair<std::string, Json>> numbers_below(const Json& object, const std::string& prefix = "");

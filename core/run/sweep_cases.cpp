@@ -105,11 +105,16 @@ void Sweep::name_cases() {
     for (std::size_t w = 0; w < sources_.size(); ++w) {
       std::string name;
       for (const PlacedValue& v : study_.points[p])
-        name.append(name.empty() ? "" : "_").append(short_name(study_.parameters, v.path)).append("=").append(value_text(*v.value));
+        name.append(name.empty() ? "" : "_")
+            .append(short_name(study_.parameters, v.path))
+            .append("=")
+            .append(value_text(*v.value));
       if (has_workflows()) name.append("_").append(study_.workflow_names[w]);
       std::string folder = fit_for_a_name(name);
-      if (folder.size() > 150) folder = folder.substr(0, 130) + "_" + hash_text(name).substr(0, 12);
-      if (!names.insert(folder).second) names.insert(folder += "_" + hash_text(name).substr(0, 12));
+      const bool is_long = folder.size() > 150;
+      if (is_long) folder.resize(130);
+      if (is_long || names.contains(folder)) folder.append("_").append(hash_text(name), 0, 12);
+      names.insert(folder);
       cases_.push_back({cases_.size() + 1, p, w, folder});
     }
 }
@@ -117,7 +122,8 @@ void Sweep::name_cases() {
 const SweepCase& Sweep::find(const std::string& name) const {
   for (const SweepCase& c : cases_)
     if (std::to_string(c.number) == name || c.folder == name) return c;
-  throw UserError("the study has no case `" + name + "`: its cases are numbered from 1 to " + std::to_string(cases_.size()) + " (see --cases)");
+  throw UserError("the study has no case `" + name + "`: its cases are numbered from 1 to " + std::to_string(cases_.size()) +
+                  " (see --cases)");
 }
 
 ResolvedCase Sweep::resolve(const SweepCase& c) const {
@@ -137,7 +143,8 @@ ResolvedCase Sweep::resolve(const SweepCase& c) const {
     each_value(config, workflow_schema(), *source.registry, [&](const ParamSpec& spec, const std::string& path, Json&) {
       const std::string here = normal(path);
       const bool is_quantity = spec.type == ParamType::quantity || spec.type == ParamType::quantity_list;
-      if (is_quantity && (here == wanted || wanted.starts_with(here + ".")) && resolved.inputs.back().is_number()) resolved.units.back() = spec.unit;
+      if (is_quantity && (here == wanted || wanted.starts_with(here + ".")) && resolved.inputs.back().is_number())
+        resolved.units.back() = spec.unit;
     });
   }
   return resolved;
@@ -193,14 +200,12 @@ SweepPlan plan(const Sweep& sweep) {
       if (plan.input_units.empty()) plan.input_units = resolved.units;
       for (std::size_t k = 0; k < parameters.size(); ++k)
         if (plan.input_units[k] != resolved.units[k])
-          problems.add(c, "`" + parameters[k].path + "` is in " + plan.input_units[k] + " in one case and in " + resolved.units[k] +
-                              " in another: one column cannot hold both");
+          problems.add(c, "`" + parameters[k].path + "` is in " + plan.input_units[k] + " in one case and in " +
+                              resolved.units[k] + " in another: one column cannot hold both");
       const auto [same, is_new] = seen.emplace(std::pair(c.workflow, resolved.hash), c.number);
       if (!is_new) problems.add(c, "case " + std::to_string(c.number) + " is the same as case " + std::to_string(same->second));
       plan.cases.push_back({c, std::move(resolved.inputs), std::move(resolved.hash)});
-    } catch (const ConfigError& e) {
-      problems.add(c, e);
-    } catch (const UserError& e) {
+    } catch (const ConfigError& e) { problems.add(c, e); } catch (const UserError& e) {
       problems.add(c, e.what());
     }
   }
@@ -211,7 +216,8 @@ SweepPlan plan(const Sweep& sweep) {
 std::vector<std::string> input_headers(const Sweep& sweep, const SweepPlan& plan) {
   std::vector<std::string> names{"case", "folder"};
   if (sweep.has_workflows()) names.push_back("workflow");
-  for (std::size_t k = 0; k < plan.input_units.size(); ++k) names.push_back(header_name({sweep.study().parameters[k].path, plan.input_units[k], ""}));
+  for (std::size_t k = 0; k < plan.input_units.size(); ++k)
+    names.push_back(header_name({sweep.study().parameters[k].path, plan.input_units[k], ""}));
   return names;
 }
 

@@ -10,9 +10,9 @@
 namespace breccia {
 
 struct SweepCase {
-  std::size_t number;              ///< from 1
-  std::size_t point, workflow;     ///< indices into the study
-  std::string folder;              ///< of its results, below `cases`: the values that vary, as they were written
+  std::size_t number;           ///< from 1
+  std::size_t point, workflow;  ///< indices into the study
+  std::string folder;           ///< of its results, below `cases`: the values that vary, as they were written
 };
 
 /// What the workflows make of a case.

@@ -23,15 +23,18 @@ class Designer {
   /// "parameter: [values]" lines; nothing is left of a line that is not in order.
   std::vector<std::pair<const YamlEntry*, StudyPoint>> columns(const std::string& section, const YamlNode& mapping) {
     std::vector<std::pair<const YamlEntry*, StudyPoint>> all;
-    if (mapping.entries.empty()) report(mapping.place, section, "names no parameter; write lines such as `contact_law.friction: [0.2, 0.4]`");
+    if (mapping.entries.empty())
+      report(mapping.place, section, "names no parameter; write lines such as `contact_law.friction: [0.2, 0.4]`");
     for (const YamlEntry& entry : mapping.entries) {
       const std::string path = section + "." + entry.key;
       const YamlNode& list = *entry.value;
       take(entry.key, entry.place, path);
       if (list.kind == YamlNode::Kind::sequence && list.items.empty()) report(list.place, path, "has no values");
       if (list.kind == YamlNode::Kind::null) report(entry.place, path, "has no values; a list such as `[0.2, 0.4]` is needed");
-      if (list.kind == YamlNode::Kind::scalar) report(list.place, path, "must be a list of values, such as `[0.2, 0.4]`, not the value `" + list.text + "`");
-      if (list.kind == YamlNode::Kind::mapping) report(list.place, path, "must be a list of values, such as `[0.2, 0.4]`, not a mapping");
+      if (list.kind == YamlNode::Kind::scalar)
+        report(list.place, path, "must be a list of values, such as `[0.2, 0.4]`, not the value `" + list.text + "`");
+      if (list.kind == YamlNode::Kind::mapping)
+        report(list.place, path, "must be a list of values, such as `[0.2, 0.4]`, not a mapping");
       StudyPoint values;
       for (const YamlPtr& item : list.items) {
         if (item->kind == YamlNode::Kind::null) report(item->place, path, "an item of the list has no value");
@@ -50,7 +53,8 @@ class Designer {
       for (std::size_t k = 0; k < values.size(); ++k)
         for (std::size_t i = 0; i < k; ++i)
           if (value_text(*values[i].value) == value_text(*values[k].value)) {
-            report(values[k].value->place, "grid." + entry->key, "the value `" + value_text(*values[k].value) + "` is given twice");
+            report(values[k].value->place, "grid." + entry->key,
+                   "the value `" + value_text(*values[k].value) + "` is given twice");
             break;
           }
       std::vector<StudyPoint> more;
@@ -75,8 +79,8 @@ class Designer {
       for (std::size_t k = 0; k < values.size(); ++k) part.points[k].push_back(values[k]);
       if (values.size() != first_values.size() && !values.empty() && !first_values.empty())
         report(entry->value->place, "list." + entry->key,
-               "has " + std::to_string(values.size()) + " values where `" + first->key + "` has " + std::to_string(first_values.size()) +
-                   ": case by case, every parameter of a list needs one");
+               "has " + std::to_string(values.size()) + " values where `" + first->key + "` has " +
+                   std::to_string(first_values.size()) + ": case by case, every parameter of a list needs one");
     }
     return part;
   }
@@ -113,7 +117,7 @@ class Designer {
 
   struct End {
     double value;
-    std::string unit;   ///< with the blank before it
+    std::string unit;  ///< with the blank before it
   };
   std::optional<End> end(const YamlNode& node, const std::string& path) {
     const auto number = scan_decimal(node.text);
@@ -126,7 +130,8 @@ class Designer {
   }
 
   /// What lies at those shares of the range, as a user would write it.
-  std::vector<std::string> samples(const LatinRange& range, const YamlNode& node, const std::string& path, const std::vector<double>& shares) {
+  std::vector<std::string> samples(const LatinRange& range, const YamlNode& node, const std::string& path,
+                                   const std::vector<double>& shares) {
     const YamlNode& to_node = *node.find("to")->value;
     const auto from = end(*node.find("from")->value, path + ".from"), to = end(to_node, path + ".to");
     if (!from || !to) return {};
@@ -135,8 +140,10 @@ class Designer {
       return {};
     }
     const bool log = range.scale == LatinScale::log;
-    if (log && !(from->value > 0)) report(node.find("from")->value->place, path + ".from", "must be above 0 on a log scale, not `" + range.from + "`");
-    if (!(from->value < to->value)) report(to_node.place, path + ".to", "must be above `from`, `" + range.from + "`, not `" + range.to + "`");
+    if (log && !(from->value > 0))
+      report(node.find("from")->value->place, path + ".from", "must be above 0 on a log scale, not `" + range.from + "`");
+    if (!(from->value < to->value))
+      report(to_node.place, path + ".to", "must be above `from`, `" + range.from + "`, not `" + range.to + "`");
     if (!findings_.empty()) return {};
     const auto at = [&](double share) {
       return log ? from->value * std::pow(to->value / from->value, share) : from->value + share * (to->value - from->value);
@@ -170,7 +177,8 @@ StudyDesign make_design(const YamlNode& study, const std::optional<LatinHypercub
   if (const YamlEntry* list = study.find("list")) parts.push_back(designer.list(*list->value));
   if (hypercube) parts.push_back(designer.latin(*study.find("latin_hypercube")->value, *hypercube));
   if (const YamlEntry* grid = study.find("grid")) parts.push_back(designer.grid(*grid->value));
-  if (parts.empty()) findings.push_back({study.place, "", "there is nothing to vary; one of `grid`, `list` and `latin_hypercube` is needed"});
+  if (parts.empty())
+    findings.push_back({study.place, "", "there is nothing to vary; one of `grid`, `list` and `latin_hypercube` is needed"});
   StudyDesign design;
   if (!findings.empty()) return design;
   double count = 1;

@@ -23,7 +23,7 @@ struct LatinHypercube {
 
 struct StudyParameter {
   std::string path;
-  bool sampled;        ///< by the Latin hypercube: its values lie anywhere
+  bool sampled;  ///< by the Latin hypercube: its values lie anywhere
 };
 
 /// One value of each parameter.

@@ -67,7 +67,8 @@ CaseRecord read_case(const fs::path& folder, const std::string& hash) {
   const Json about = read_json(folder / "case.json");
   const std::string status = text_of(about, "status");
   const bool same = text_of(about, "inputs_sha256") == hash;
-  if (status == "finished" && fs::exists(folder / "summary.json")) return {same ? CaseState::finished : CaseState::other_inputs, ""};
+  if (status == "finished" && fs::exists(folder / "summary.json"))
+    return {same ? CaseState::finished : CaseState::other_inputs, ""};
   if (status == "failed" && same) return {CaseState::failed, text_of(about, "error")};
   return {CaseState::unfinished, ""};
 }
@@ -101,7 +102,8 @@ void CaseFolder::write(const std::string& status, const std::string& error) {
 }
 
 Json about_case(const Sweep& sweep, const SweepCase& c, const ResolvedCase& resolved) {
-  Json about = {{"study", sweep.study().study.name}, {"case", c.number}, {"workflow_file", sweep.study().workflow_files[c.workflow]}};
+  Json about = {
+      {"study", sweep.study().study.name}, {"case", c.number}, {"workflow_file", sweep.study().workflow_files[c.workflow]}};
   if (sweep.has_workflows()) about["workflow"] = sweep.study().workflow_names[c.workflow];
   for (std::size_t k = 0; k < resolved.inputs.size(); ++k)
     about["inputs"][header_name({sweep.study().parameters[k].path, resolved.units[k], ""})] = resolved.inputs[k];

@@ -8,16 +8,16 @@
 namespace breccia {
 
 enum class CaseState {
-  absent,        ///< nobody has begun it
-  unfinished,    ///< begun, then killed or interrupted; or being run just now
+  absent,      ///< nobody has begun it
+  unfinished,  ///< begun, then killed or interrupted; or being run just now
   failed,
   finished,
-  other_inputs   ///< finished, but the study or a workflow has changed since
+  other_inputs  ///< finished, but the study or a workflow has changed since
 };
 
 struct CaseRecord {
   CaseState state = CaseState::absent;
-  std::string error;   ///< of a failed case, whole
+  std::string error;  ///< of a failed case, whole
 };
 
 std::filesystem::path case_folder(const std::filesystem::path& results, const SweepCase& c);

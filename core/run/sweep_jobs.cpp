@@ -20,6 +20,9 @@ namespace breccia {
 namespace {
 
 pid_t start(const SweepJob& job) {
+  std::error_code failed;
+  std::filesystem::create_directories(job.log.parent_path(), failed);
+  if (failed) throw UserError("cannot make the folder " + job.log.parent_path().string() + ": " + failed.message());
   std::vector<std::string> texts{"breccia"};
   texts.insert(texts.end(), job.arguments.begin(), job.arguments.end());
   std::vector<char*> arguments;

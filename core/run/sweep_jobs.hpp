@@ -10,13 +10,13 @@
 namespace breccia {
 
 struct SweepJob {
-  std::vector<std::string> arguments;   ///< without the program's name
-  std::filesystem::path log;            ///< of both its streams; its folder exists
+  std::vector<std::string> arguments;  ///< without the program's name
+  std::filesystem::path log;           ///< of both its streams; its folder is made
 };
 
 struct JobEnd {
   int code = 0;
-  int signal = 0;                       ///< that ended it; 0: none did
+  int signal = 0;  ///< that ended it; 0: none did
 };
 
 /// Runs the jobs in their order, at most `at_once` at a time, and tells of each as it ends. Once `cancelled`, those that

@@ -15,7 +15,8 @@ void LatinRange::describe(Schema<LatinRange>& s) {
   s.param("scale", &LatinRange::scale)
       .choice("linear", LatinScale::linear, "all values are equally likely")
       .choice("log", LatinScale::log, "all orders of magnitude are")
-      .fallback("linear").doc("how the values spread");
+      .fallback("linear")
+      .doc("how the values spread");
 }
 
 void LatinHypercube::describe(Schema<LatinHypercube>& s) {

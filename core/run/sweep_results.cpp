@@ -26,11 +26,16 @@ void add_new(std::vector<std::string>& all, const std::string& name) {
 
 std::string state_text(CaseState state) {
   switch (state) {
-    case CaseState::absent: return "not run";
-    case CaseState::unfinished: return "unfinished";
-    case CaseState::failed: return "failed";
-    case CaseState::finished: return "finished";
-    case CaseState::other_inputs: return "other inputs";
+    case CaseState::absent:
+      return "not run";
+    case CaseState::unfinished:
+      return "unfinished";
+    case CaseState::failed:
+      return "failed";
+    case CaseState::finished:
+      return "finished";
+    case CaseState::other_inputs:
+      return "other inputs";
   }
   return {};
 }
@@ -63,7 +68,8 @@ SweepTable::SweepTable(const Sweep& sweep, const SweepPlan& plan, std::vector<Ca
   for (const StudyRatio& d : sweep.study().study.derived) inputs.push_back(d.name);
   for (const CaseResult& r : results_)
     for (const auto& [key, value] : r.summary.items())
-      if ((value.is_number() || value.is_null()) && !is_bookkeeping(key) && std::find(inputs.begin(), inputs.end(), key) == inputs.end())
+      if ((value.is_number() || value.is_null()) && !is_bookkeeping(key) &&
+          std::find(inputs.begin(), inputs.end(), key) == inputs.end())
         add_new(values_, key);
 }
 
@@ -82,15 +88,22 @@ Json SweepTable::value(std::size_t k, const std::string& key) const {
 Json SweepTable::number(const StudyTerm& term, std::size_t point) const {
   Json v;
   switch (term.is) {
-    case StudyTerm::Is::parameter: v = plan_.cases[index(point, 0)].inputs[term.index]; break;
-    case StudyTerm::Is::derived: v = derived(sweep_.study().study.derived[term.index], point); break;
-    case StudyTerm::Is::value: v = value(index(point, term.index), term.key); break;
+    case StudyTerm::Is::parameter:
+      v = plan_.cases[index(point, 0)].inputs[term.index];
+      break;
+    case StudyTerm::Is::derived:
+      v = derived(sweep_.study().study.derived[term.index], point);
+      break;
+    case StudyTerm::Is::value:
+      v = value(index(point, term.index), term.key);
+      break;
   }
   return v.is_number() ? v : Json();
 }
 
 Json SweepTable::derived(const StudyRatio& ratio, std::size_t point) const {
-  const Json above = number(sweep_.study().term(ratio.numerator), point), below = number(sweep_.study().term(ratio.denominator), point);
+  const Json above = number(sweep_.study().term(ratio.numerator), point),
+             below = number(sweep_.study().term(ratio.denominator), point);
   if (above.is_null() || below.is_null() || below.get<double>() == 0) return {};
   return above.get<double>() / below.get<double>();
 }
@@ -123,7 +136,7 @@ std::vector<std::string> SweepTable::all_keys() const {
 
 std::vector<std::string> SweepTable::warnings() const {
   const Study& study = sweep_.study().study;
-  std::vector<std::pair<std::string, std::string>> asked;   // where, and the dotted path
+  std::vector<std::pair<std::string, std::string>> asked;  // where, and the dotted path
   for (const std::string& key : study.collect) asked.emplace_back("collect", key);
   const auto ask = [&](const std::string& where, const std::string& name) {
     if (const StudyTerm term = sweep_.study().term(name); term.is == StudyTerm::Is::value) asked.emplace_back(where, term.key);
@@ -135,10 +148,11 @@ std::vector<std::string> SweepTable::warnings() const {
   const std::vector<std::string> known = all_keys();
   std::vector<std::string> texts;
   for (const auto& [where, key] : asked) {
-    bool found = known.empty();   // nothing has finished: nothing can be said
+    bool found = known.empty();  // nothing has finished: nothing can be said
     for (std::size_t k = 0; k < results_.size() && !found; ++k) found = !value(k, key).is_null();
     if (found) continue;
-    if (std::find(known.begin(), known.end(), key) != known.end()) add_new(texts, where + ": `" + key + "` could not be measured in any case");
+    if (std::find(known.begin(), known.end(), key) != known.end())
+      add_new(texts, where + ": `" + key + "` could not be measured in any case");
     else add_new(texts, where + ": no summary has `" + key + "`" + suggestion(key, known));
   }
   return texts;
@@ -147,13 +161,13 @@ std::vector<std::string> SweepTable::warnings() const {
 StudyChart::Axis SweepTable::axis(const StudyTerm& term, const std::optional<std::string>& label, const std::string& name) const {
   StudyChart::Axis axis;
   if (term.is == StudyTerm::Is::parameter) {
-    axis = {split_path(name).back().name, plan_.input_units[term.index]};
+    axis = {readable(split_path(name).back().name), plan_.input_units[term.index]};
   } else {
     const auto [title, unit] = split_unit(term.is == StudyTerm::Is::derived ? name : split_path(term.key).back().name);
     const std::string& workflow = sweep_.study().workflow_names[term.is == StudyTerm::Is::value ? term.index : 0];
-    axis = {(term.is == StudyTerm::Is::value && !workflow.empty() ? workflow + ": " : "") + title, unit.empty() ? "1" : unit};
+    axis = {(term.is == StudyTerm::Is::value && !workflow.empty() ? workflow + ": " : "") + readable(title),
+            unit.empty() ? "1" : unit};
   }
-  std::replace(axis.title.begin(), axis.title.end(), '_', ' ');
   if (label) axis.title = *label;
   return axis;
 }
@@ -171,7 +185,8 @@ StudyChart SweepTable::chart(const StudyChartConfig& config) const {
       const StudyTerm by = study.term(*config.series);
       label = axis(by, {}, *config.series).title + " = " + value_text(*study.points[p][by.index].value);
     }
-    auto it = std::find_if(chart.series.begin(), chart.series.end(), [&](const StudyChart::Series& s) { return s.label == label; });
+    auto it =
+        std::find_if(chart.series.begin(), chart.series.end(), [&](const StudyChart::Series& s) { return s.label == label; });
     if (it == chart.series.end()) {
       it = chart.series.insert(chart.series.end(), {label, {}, {}, steady});
       points.emplace_back();
@@ -208,13 +223,9 @@ void draw(const SweepTable& table, const Study& study, const PluginChoice& choic
         chart.file = folder / chart.file;
         const auto files = renderer->chart(chart, host);
         made.insert(made.end(), files.begin(), files.end());
-      } catch (const UserError& e) {
-        host.warn("chart `" + config.file_name() + "` was not drawn: " + e.what());
-      }
+      } catch (const UserError& e) { host.warn("chart `" + config.file_name() + "` was not drawn: " + e.what()); }
     }
-  } catch (const Unavailable& e) {
-    host.warn("no charts by renderer `" + choice.type + "`: " + e.what());
-  }
+  } catch (const Unavailable& e) { host.warn("no charts by renderer `" + choice.type + "`: " + e.what()); }
 }
 
 }  // namespace

@@ -35,12 +35,14 @@ class SweepTable {
   Json derived(const StudyRatio& ratio, std::size_t point) const;
   StudyChart::Axis axis(const StudyTerm& term, const std::optional<std::string>& label, const std::string& name) const;
   std::vector<std::string> all_keys() const;
-  std::size_t index(std::size_t point, std::size_t workflow) const { return point * sweep_.study().workflow_names.size() + workflow; }
+  std::size_t index(std::size_t point, std::size_t workflow) const {
+    return point * sweep_.study().workflow_names.size() + workflow;
+  }
 
   const Sweep& sweep_;
   const SweepPlan& plan_;
   std::vector<CaseResult> results_;
-  std::vector<std::string> values_;   ///< columns
+  std::vector<std::string> values_;  ///< columns
 };
 
 /// "finished", "failed", "not run" and so on, as results.csv has it.

@@ -11,26 +11,30 @@ namespace breccia {
 namespace fs = std::filesystem;
 
 void StudyWorkflow::describe(Schema<StudyWorkflow>& s) {
-  s.param("name", &StudyWorkflow::name).example("tension").doc("in the column `workflow` and before its values: `tension.peak_stress_Pa`");
+  s.param("name", &StudyWorkflow::name)
+      .example("tension")
+      .doc("in the column `workflow` and before its values: `tension.peak_stress_Pa`");
   s.param("file", &StudyWorkflow::file).example("direct_tension.yaml").doc("the workflow, relative to the study");
 }
 
 void StudyRatio::describe(Schema<StudyRatio>& s) {
   s.param("name", &StudyRatio::name).example("ucs_over_ts").doc("of the column");
-  s.param("numerator", &StudyRatio::numerator).example("compression.peak_stress_Pa")
+  s.param("numerator", &StudyRatio::numerator)
+      .example("compression.peak_stress_Pa")
       .doc("a value of the summary, with several workflows after the name of one; or a parameter that varies (in SI)");
   s.param("denominator", &StudyRatio::denominator).example("tension.peak_stress_Pa").doc("the same");
 }
 
-std::string StudyChartConfig::file_name() const {
-  return name.value_or(y + "_over_" + x + (series ? "_by_" + *series : ""));
-}
+std::string StudyChartConfig::file_name() const { return name.value_or(y + "_over_" + x + (series ? "_by_" + *series : "")); }
 
 void StudyChartConfig::describe(Schema<StudyChartConfig>& s) {
-  s.param("x", &StudyChartConfig::x).example("contact_law.friction")
+  s.param("x", &StudyChartConfig::x)
+      .example("contact_law.friction")
       .doc("a parameter that varies, a value of the summary (with several workflows after the name of one) or a derived column");
   s.param("y", &StudyChartConfig::y).example("peak_stress_Pa").doc("the same");
-  s.param("series", &StudyChartConfig::series).example("contact_law.stiffness_ratio").doc("a parameter that varies: one line for each of its values");
+  s.param("series", &StudyChartConfig::series)
+      .example("contact_law.stiffness_ratio")
+      .doc("a parameter that varies: one line for each of its values");
   s.param("name", &StudyChartConfig::name).doc("file name without its ending; `Y_over_X_by_SERIES` if absent");
   s.param("x_label", &StudyChartConfig::x_label).example("ks/kn").doc("title of the horizontal axis, without the unit");
   s.param("y_label", &StudyChartConfig::y_label).doc("title of the vertical axis, without the unit");
@@ -41,18 +45,32 @@ void Study::describe(Schema<Study>& s) {
   s.summary("A parameter study: workflows and the values of their parameters");
   s.param("name", &Study::name).fallback("").doc("of the result folder; default: the name of the file");
   s.param("description", &Study::description).fallback("").doc("what it shows");
-  s.param("workflow", &Study::workflow).example("compression.yaml").doc("the workflow whose parameters vary, relative to the study");
+  s.param("workflow", &Study::workflow)
+      .example("compression.yaml")
+      .doc("the workflow whose parameters vary, relative to the study");
   s.param("workflows", &Study::workflows).items(1, 100).doc("several of them, each run at every point");
   s.exactly_one_of({"workflow", "workflows"});
-  s.param("fixed", &Study::fixed).fallback(Json::object())
-      .doc("values for all cases, path to value: `damping.translational: 0.1`, `outputs: []`; paths as for `--set`, in every workflow");
-  s.param("grid", &Study::grid).fallback(Json::object()).doc("all combinations of these, path to values: `contact_law.friction: [0.2, 0.4]`");
-  s.param("list", &Study::list).fallback(Json::object()).doc("path to values, all of one length: the first of each together, the second of each, and so on");
+  s.param("fixed", &Study::fixed)
+      .fallback(Json::object())
+      .doc(
+          "values for all cases, path to value: `damping.translational: 0.1`, `outputs: []`; paths as for `--set`, in every "
+          "workflow");
+  s.param("grid", &Study::grid)
+      .fallback(Json::object())
+      .doc("all combinations of these, path to values: `contact_law.friction: [0.2, 0.4]`");
+  s.param("list", &Study::list)
+      .fallback(Json::object())
+      .doc("path to values, all of one length: the first of each together, the second of each, and so on");
   s.param("latin_hypercube", &Study::latin_hypercube)
-      .doc("points spread over ranges, each parameter's evenly. Of `grid`, `list` and this, several may be given: all their combinations are run")
+      .doc(
+          "points spread over ranges, each parameter's evenly. Of `grid`, `list` and this, several may be given: all their "
+          "combinations are run")
       .source("McKay, Beckman, Conover (1979), Technometrics 21, 239-245");
-  s.param("collect", &Study::collect).fallback(none)
-      .doc("values of summary.json for results.csv, by their dotted paths; default: all numbers of its top level that tell of the specimen");
+  s.param("collect", &Study::collect)
+      .fallback(none)
+      .doc(
+          "values of summary.json for results.csv, by their dotted paths; default: all numbers of its top level that tell of the "
+          "specimen");
   s.param("derived", &Study::derived).fallback(none).doc("quotients as further columns of results.csv");
   s.param("charts", &Study::charts).fallback(none).doc("charts of results.csv");
   s.param("renderer", &Study::renderer).kind("renderer").doc("of the charts; default: `pictures`, if installed");
@@ -69,9 +87,13 @@ const ParamSpec& study_schema() {
 
 namespace {
 
-std::string shown_file(const fs::path& study, const YamlNode& node) { return (study.parent_path() / node.text).lexically_normal().string(); }
+std::string shown_file(const fs::path& study, const YamlNode& node) {
+  return (study.parent_path() / node.text).lexically_normal().string();
+}
 
-bool is_file_name(const std::string& name) { return !name.empty() && name[0] != '.' && name.find('/') == name.npos && name.size() < 200; }
+bool is_file_name(const std::string& name) {
+  return !name.empty() && name[0] != '.' && name.find('/') == name.npos && name.size() < 200;
+}
 
 /// What the schema cannot say of a study.
 class Checker {
@@ -104,7 +126,8 @@ class Checker {
     for (const YamlEntry& entry : section->value->entries) {
       if (entry.value->kind == YamlNode::Kind::null) findings_.push_back({entry.place, "fixed." + entry.key, "has no value"});
       for (const StudyParameter& p : loaded_.parameters)
-        if (p.path == entry.key) findings_.push_back({entry.place, "fixed." + entry.key, "also varies; it is either fixed or not"});
+        if (p.path == entry.key)
+          findings_.push_back({entry.place, "fixed." + entry.key, "also varies; it is either fixed or not"});
       loaded_.fixed.push_back({entry.key, entry.place, entry.value});
     }
   }
@@ -142,7 +165,9 @@ class Checker {
   }
 
  private:
-  void report(const YamlNode& at, const std::string& path, std::string text) { findings_.push_back({at.place, path, std::move(text)}); }
+  void report(const YamlNode& at, const std::string& path, std::string text) {
+    findings_.push_back({at.place, path, std::move(text)});
+  }
 
   void add_workflow(const YamlNode& node) {
     loaded_.workflow_files.push_back(shown_file(file_, node));
@@ -153,7 +178,8 @@ class Checker {
     if (std::find(before.begin(), before.end(), name.text) != before.end()) report(name, path, "a second `" + name.text + "`");
   }
 
-  template <class Each> void each(const char* list, Each&& item) {
+  template <class Each>
+  void each(const char* list, Each&& item) {
     if (const YamlEntry* entry = tree_.find(list))
       for (std::size_t k = 0; k < entry->value->items.size(); ++k) item(*entry->value->items[k], item_path(list, k));
   }
@@ -175,13 +201,15 @@ class Checker {
     std::vector<std::string> names = parameter_names();
     if (with_derived)
       for (const StudyRatio& d : loaded_.study.derived) names.push_back(d.name);
-    if (std::find(names.begin(), names.end(), node.text) != names.end() || loaded_.workflow_names == std::vector<std::string>{""}) return;
+    if (std::find(names.begin(), names.end(), node.text) != names.end() || loaded_.workflow_names == std::vector<std::string>{""})
+      return;
     for (const std::string& w : loaded_.workflow_names)
       if (node.text.starts_with(w + ".") && node.text.size() > w.size() + 1) return;
     for (const std::string& w : loaded_.workflow_names) names.push_back(w + "." + node.text);
     const std::string near = closest(node.text, names);
-    report(node, path, "`" + node.text + "` is neither a parameter that varies" + (with_derived ? ", nor a derived column," : "") +
-                           " nor a value of one of the workflows; did you mean `" + (near.empty() ? names.back() : near) + "`?");
+    report(node, path,
+           "`" + node.text + "` is neither a parameter that varies" + (with_derived ? ", nor a derived column," : "") +
+               " nor a value of one of the workflows; did you mean `" + (near.empty() ? names.back() : near) + "`?");
   }
 
   LoadedStudy& loaded_;
@@ -198,7 +226,8 @@ StudyTerm LoadedStudy::term(const std::string& name) const {
   for (std::size_t k = 0; k < study.derived.size(); ++k)
     if (study.derived[k].name == name) return {StudyTerm::Is::derived, k, ""};
   for (std::size_t k = 0; k < workflow_names.size(); ++k)
-    if (!workflow_names[k].empty() && name.starts_with(workflow_names[k] + ".")) return {StudyTerm::Is::value, k, name.substr(workflow_names[k].size() + 1)};
+    if (!workflow_names[k].empty() && name.starts_with(workflow_names[k] + "."))
+      return {StudyTerm::Is::value, k, name.substr(workflow_names[k].size() + 1)};
   return {StudyTerm::Is::value, 0, name};
 }
 

@@ -46,22 +46,22 @@ const ParamSpec& study_schema();
 /// What a chart, or a quotient, may name.
 struct StudyTerm {
   enum class Is { parameter, derived, value } is = Is::value;
-  std::size_t index = 0;   ///< of the parameter, the derived column, or the workflow of the value
-  std::string key;         ///< of a value: its dotted path in summary.json
+  std::size_t index = 0;  ///< of the parameter, the derived column, or the workflow of the value
+  std::string key;        ///< of a value: its dotted path in summary.json
 };
 
 /// A study that is in order; its workflows have not been looked at.
 struct LoadedStudy {
   Study study;
   InputFile file;
-  std::vector<std::string> workflow_names;   ///< one empty name when there is a single workflow
-  std::vector<std::string> workflow_files;   ///< as messages show them
+  std::vector<std::string> workflow_names;  ///< one empty name when there is a single workflow
+  std::vector<std::string> workflow_files;  ///< as messages show them
   std::vector<Place> workflow_places;
   std::vector<PlacedValue> fixed;
-  std::vector<StudyParameter> parameters;    ///< those that vary
-  std::vector<StudyPoint> points;            ///< each has a value of every parameter, in their order
+  std::vector<StudyParameter> parameters;  ///< those that vary
+  std::vector<StudyPoint> points;          ///< each has a value of every parameter, in their order
 
-  StudyTerm term(const std::string& name) const;   ///< of a name that was checked when the study was read
+  StudyTerm term(const std::string& name) const;  ///< of a name that was checked when the study was read
 };
 
 /// ConfigError with every problem. `registry` knows the renderers.
