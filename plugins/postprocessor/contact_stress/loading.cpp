@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "loading.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace breccia {
+
+DirectionBin& DirectionBin::operator+=(const DirectionBin& o) {
+  contacts += o.contacts;
+  compressed += o.compressed;
+  tensile += o.tensile;
+  yielded += o.yielded;
+  compression += o.compression;
+  tension += o.tension;
+  yield += o.yield;
+  return *this;
+}
+
+double axial_stress(const SimulationView& view) {
+  const ParticlesView& p = view.particles;
+  const Vec3& axis = view.specimen.axis;
+  const auto part = [&](const Vec3& arm, const Vec3& force) { return arm.dot(axis) * force.dot(axis); };
+  double sum = 0;
+  for (std::size_t k = 0; k < view.pairs.size(); ++k) {
+    const PairForce& f = view.pairs.force[k];
+    sum += part(p.position[view.pairs.j[k]] - p.position[view.pairs.i[k]], Vec3(f.fx, f.fy, f.fz));
+  }
+  for (const WallContact& c : view.wall_contacts) sum += part(c.point - p.position[c.particle], c.force);
+  for (std::size_t k = 0; k < p.applied_force.size(); ++k) {
+    const double size = p.applied_force[k].norm();
+    if (size > 0) sum += part(-p.radius[k] / size * p.applied_force[k], p.applied_force[k]);
+  }
+  return -sum / view.specimen.volume;
+}
+
+std::vector<DirectionBin> by_direction(const SimulationView& view, std::size_t bins, double area_factor, std::optional<double> limit) {
+  std::vector<DirectionBin> all(bins);
+  const ParticlesView& p = view.particles;
+  for (std::size_t k = 0; k < view.pairs.size(); ++k) {
+    const PairForce& f = view.pairs.force[k];
+    if (view.pairs.state[k] != BondState::intact && f.fx == 0 && f.fy == 0 && f.fz == 0) continue;
+    const Index i = view.pairs.i[k], j = view.pairs.j[k];
+    const Vec3 n = (p.position[j] - p.position[i]).normalized();
+    const double r = std::min(p.radius[i], p.radius[j]);
+    const double area = area_factor * (view.dimension == 2 ? 2 * r * view.thickness : std::numbers::pi * r * r);
+    const double pressure = -(f.fx * n.x() + f.fy * n.y() + f.fz * n.z()) / area;  // the force on i points away from j
+    const double share = std::asin(std::min(1.0, std::abs(n.dot(view.specimen.axis)))) / (0.5 * std::numbers::pi);
+    DirectionBin& bin = all[std::min(bins - 1, std::size_t(share * double(bins)))];
+    ++bin.contacts;
+    if (pressure > 0) {
+      ++bin.compressed;
+      bin.compression += pressure;
+    } else if (pressure < 0) {
+      ++bin.tensile;
+      bin.tension -= pressure;
+    }
+    if (limit && pressure >= *limit) {
+      ++bin.yielded;
+      bin.yield += pressure;
+    }
+  }
+  return all;
+}
+
+void FirstLoading::sample(const SimulationView& view, double area_factor, std::optional<double> limit) {
+  const double stress = axial_stress(view);
+  if (!(stress > (highest_ ? highest_->axial_stress : 0.0))) return;
+  highest_ = Snapshot{stress, view.time, by_direction(view, bins_, area_factor, limit)};
+  if (!levels_.empty() && stress < step * levels_.back().axial_stress) return;
+  levels_.push_back(*highest_);
+  // What lies too low by now for any share, down to the last one below it.
+  std::size_t low = 0;
+  while (low + 1 < levels_.size() && levels_[low + 1].axial_stress <= lowest_share_ * stress) ++low;
+  levels_.erase(levels_.begin(), levels_.begin() + std::ptrdiff_t(low));
+}
+
+const Snapshot* FirstLoading::at(double share) const {
+  if (!highest_) return nullptr;
+  const double wanted = share * highest_->axial_stress;
+  const Snapshot* best = &*highest_;
+  for (const Snapshot& s : levels_)
+    if (std::abs(s.axial_stress - wanted) < std::abs(best->axial_stress - wanted)) best = &s;
+  return best;
+}
+
+}  // namespace breccia
