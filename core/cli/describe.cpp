@@ -5,6 +5,7 @@
 
 #include "breccia/error.hpp"
 #include "cli/verbs.hpp"
+#include "run/sweep_study.hpp"
 #include "run/workflow.hpp"
 
 namespace breccia::cli {
@@ -17,10 +18,14 @@ int describe(const std::string& plugin, const std::string& format) {
     Schema<Workflow> schema;
     Workflow::describe(schema);
     doc = schema.documentation();
+  } else if (plugin == "sweep") {
+    Schema<Study> schema;
+    Study::describe(schema);
+    doc = schema.documentation();
   } else {
     const auto slash = plugin.find('/');
     if (slash == std::string::npos)
-      throw UserError("describe needs KIND/NAME (see `breccia list`) or `workflow`, not `" + plugin + "`");
+      throw UserError("describe needs KIND/NAME (see `breccia list`) or `workflow` or `sweep`, not `" + plugin + "`");
     kind = plugin.substr(0, slash);
     name = plugin.substr(slash + 1);
     doc = registry.documentation(kind, name);

@@ -40,7 +40,7 @@ int dispatch(int argc, char** argv) {
 
   std::string plugin, format = "text";
   verb = app.add_subcommand("describe", "Describe a plugin and its parameters");
-  verb->add_option("PLUGIN", plugin, "KIND/NAME, or workflow for the keys of a workflow")->required();
+  verb->add_option("PLUGIN", plugin, "KIND/NAME, or workflow for the keys of a workflow, or sweep for those of a study")->required();
   verb->add_option("--format", format, "text, markdown or json")->check(CLI::IsMember({"text", "markdown", "json"}));
   verb->callback([&] { code = cli::describe(plugin, format); });
 
@@ -87,8 +87,34 @@ int dispatch(int argc, char** argv) {
   verb->add_option("--coordination-number", drive.coordination_number, "the same: mean number of bonds per particle")->capture_default_str();
   verb->callback([&] { code = cli::drive(drive); });
 
-  verb = app.add_subcommand("schema", "Print the JSON Schema of workflows");
-  verb->callback([&] { code = cli::schema(); });
+  cli::SweepArguments sweep;
+  verb = app.add_subcommand("sweep", "Run a parameter study: a workflow at many values of its parameters");
+  verb->footer("Runs every case into a folder of its own below cases/, several at a time, and gathers results.csv and the\n"
+               "charts that the study asks for. Cases that have finished are not run again. Elsewhere (a Slurm array, Snakemake):\n"
+               "--cases lists them, --case runs one, --collect gathers. Keys of a study: breccia describe sweep.\n"
+               "Exit code: 0 all cases have finished, 1 some have not, 2 the study is not in order, 130 stopped on request.");
+  verb->add_option("STUDY", sweep.study, "the study (YAML)")->required();
+  verb->add_option("-o,--output", sweep.output, "folder of the results; default: results/<study name>");
+  auto* jobs = verb->add_option("-j,--jobs", sweep.jobs, "cases at a time; default: as many as keep all cores busy")->check(CLI::Range(1, 1024));
+  auto* threads = verb->add_option("--threads", sweep.threads, "threads of each case. The results do not depend on it")
+      ->check(CLI::Range(1, 1024))->capture_default_str();
+  auto* overwrite = verb->add_flag("--overwrite", sweep.overwrite, "run finished cases again whose study or workflow has changed since");
+  auto* cases = verb->add_flag("--cases", sweep.cases, "list the cases (CSV) and run none");
+  auto* one = verb->add_option("--case", sweep.one, "run only this case: its number, or its folder's name");
+  auto* collect = verb->add_flag("--collect", sweep.collect, "run none: gather what has finished");
+  auto* expect = verb->add_option("--expect", sweep.expect)->group("");
+  auto* parent = verb->add_option("--parent", sweep.parent)->group("");
+  cases->excludes(jobs)->excludes(threads)->excludes(overwrite)->excludes(one)->excludes(collect);
+  collect->excludes(jobs)->excludes(threads)->excludes(overwrite)->excludes(one);
+  one->excludes(jobs);
+  expect->needs(one);
+  parent->needs(one);
+  verb->callback([&] { code = cli::sweep(sweep); });
+
+  std::string schema_of = "workflow";
+  verb = app.add_subcommand("schema", "Print the JSON Schema of workflows, or of studies");
+  verb->add_option("OF", schema_of, "workflow or sweep")->check(CLI::IsMember({"workflow", "sweep"}))->capture_default_str();
+  verb->callback([&] { code = cli::schema(schema_of); });
 
   try {
     app.parse(argc, argv);

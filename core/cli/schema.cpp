@@ -3,13 +3,14 @@
 
 #include "cli/verbs.hpp"
 #include "config/json_schema.hpp"
+#include "run/sweep_study.hpp"
 #include "run/workflow.hpp"
 
 namespace breccia::cli {
 
-int schema() {
+int schema(const std::string& of) {
   const Registry registry;
-  fmt::print("{}\n", json_schema(workflow_schema(), registry).dump(2));
+  fmt::print("{}\n", (of == "sweep" ? json_schema(study_schema(), registry, "Breccia study") : json_schema(workflow_schema(), registry)).dump(2));
   return ok;
 }
 

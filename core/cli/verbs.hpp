@@ -42,6 +42,15 @@ struct DriveArguments {
   bool unbonded = false, overwrite = false;
 };
 
+struct SweepArguments {
+  std::filesystem::path study, output;
+  int jobs = 0, threads = 1;      ///< jobs 0: as many as keep all cores busy
+  bool cases = false, collect = false, overwrite = false;
+  std::string one;                ///< number or folder of the case to run; empty: all
+  std::string expect;             ///< hash of the inputs that this case is to have; empty: any
+  int parent = 0;                 ///< the process that started this one; 0: the user
+};
+
 int run(const RunArguments& arguments);
 int validate(const std::vector<std::filesystem::path>& files, const std::vector<std::string>& overrides);
 int list(const std::string& kind);
@@ -49,6 +58,7 @@ int describe(const std::string& plugin, const std::string& format);
 int render(const RenderArguments& arguments);
 int compare(const CompareArguments& arguments);
 int drive(const DriveArguments& arguments);
-int schema();
+int sweep(const SweepArguments& arguments);
+int schema(const std::string& of);
 
 }  // namespace breccia::cli

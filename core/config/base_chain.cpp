@@ -40,6 +40,16 @@ std::string read_text(const fs::path& file) {
   return text.str();
 }
 
+BaseChain single_file(const std::string& yaml_text, const std::string& file_name, const std::string& what) {
+  BaseChain chain;
+  InputFile& file = chain.files.emplace_back(InputFile{file_name, fs::absolute(file_name).parent_path(), nullptr, {}});
+  file.tree = parse_yaml(yaml_text, {0, 1, 1}, chain.findings);
+  if (!file.tree) return chain;
+  chain.whole = file.tree->kind != YamlNode::Kind::null;
+  if (!chain.whole) chain.findings.push_back({{0, 1, 1}, "", "the " + what + " is empty"});
+  return chain;
+}
+
 BaseChain follow_bases(const std::string& yaml_text, const std::string& file_name) {
   BaseChain chain;
   std::string text = yaml_text, name = file_name;

@@ -29,6 +29,7 @@ std::string value_text(const ParamSpec& spec) {
     case ParamType::quantity: return spec.unit == "1" ? "number" : "quantity" + unit;
     case ParamType::quantity_list:
       return join({"list of " + (spec.unit == "1" ? "numbers" : "quantities" + unit), items_text(spec)}, ", ");
+    case ParamType::text_list: return join({"list of texts", items_text(spec)}, ", ");
     case ParamType::group_list: return join({"list of mappings", items_text(spec)}, ", ");
     case ParamType::plugin: return "one " + spec.plugin_kind;
     case ParamType::plugin_list: return join({"list of " + spec.plugin_kind + " plugins", items_text(spec)}, ", ");
@@ -140,6 +141,7 @@ std::string type_name(ParamType type) {
     case ParamType::plugin: return "plugin";
     case ParamType::plugin_list: return "plugin_list";
     case ParamType::free_form: return "free_form";
+    case ParamType::text_list: return "text_list";
   }
   return {};
 }

@@ -139,7 +139,8 @@ class SchemaWriter {
       case ParamType::quantity_list: return list(quantity(spec), spec);
       case ParamType::integer: return integer(spec);
       case ParamType::boolean: return {{"type", "boolean"}};
-      case ParamType::text: return {{"type", Json::array({"string", "number", "boolean"})}};
+      case ParamType::text: return text();
+      case ParamType::text_list: return list(text(), spec);
       case ParamType::path: return {{"type", Json::array({"string", "number"})}};
       case ParamType::choice: return choice(spec);
       case ParamType::group: return group(spec, extent);
@@ -150,6 +151,8 @@ class SchemaWriter {
     }
     return true;
   }
+
+  static Json text() { return {{"type", Json::array({"string", "number", "boolean"})}}; }
 
   /// Editors that follow YAML 1.1 see a text in `1e5`: pure numbers may be texts as well.
   static Json quantity(const ParamSpec& spec) {
@@ -215,8 +218,8 @@ class SchemaWriter {
 
 }  // namespace
 
-Json json_schema(const ParamSpec& root, const PluginDirectory& plugins) {
-  Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "Breccia workflow"}};
+Json json_schema(const ParamSpec& root, const PluginDirectory& plugins, const std::string& title) {
+  Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", title}};
   schema.update(SchemaWriter(plugins).root(root));
   return schema;
 }

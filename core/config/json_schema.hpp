@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// JSON Schema of workflows, for completion and checking in editors.
+/// JSON Schema of workflows and studies, for completion and checking in editors.
 #pragma once
 
 #include "config/plugin_directory.hpp"
@@ -13,6 +13,6 @@ namespace breccia {
 /// When `root` has a member `base`, a file that gives it need not be complete: nothing is required of it but inside
 /// list items, which are never merged. Of a plugin's section without `type`, whose plugin only the base names, nothing
 /// is checked.
-Json json_schema(const ParamSpec& root, const PluginDirectory& plugins);
+Json json_schema(const ParamSpec& root, const PluginDirectory& plugins, const std::string& title = "Breccia workflow");
 
 }  // namespace breccia

@@ -66,6 +66,36 @@ YamlPtr with_value(const YamlPtr& node, const std::vector<Step>& steps, std::siz
 
 }  // namespace
 
+namespace {
+
+/// What cannot be applied becomes a finding.
+YamlPtr placed(const YamlPtr& root, const std::vector<Step>& steps, const YamlPtr& value, std::vector<Finding>& findings) {
+  try {
+    return with_value(root, steps, 0, value, "");
+  } catch (const Refused& refused) {
+    findings.push_back(refused.finding);
+    return root;
+  }
+}
+
+/// After a finding when a part is empty.
+bool check_steps(const std::vector<Step>& steps, std::string_view path, std::vector<Finding>& findings) {
+  for (const Step& step : steps)
+    if (step.name.empty()) {
+      findings.push_back({step.place, "", "`" + std::string(path) + "` has an empty part; a path reads "
+                                          "`section.key` or `list.0.key`"});
+      return false;
+    }
+  return true;
+}
+
+}  // namespace
+
+YamlPtr apply_value(const YamlPtr& root, const PlacedValue& given, std::vector<Finding>& findings) {
+  const std::vector<Step> steps = steps_of(given.path, given.place);
+  return check_steps(steps, given.path, findings) ? placed(root, steps, given.value, findings) : root;
+}
+
 YamlPtr apply_override(const YamlPtr& root, std::string_view text, Place start, std::vector<Finding>& findings) {
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos || equals == 0) {
@@ -73,14 +103,7 @@ YamlPtr apply_override(const YamlPtr& root, std::string_view text, Place start, 
     return root;
   }
   const std::vector<Step> steps = steps_of(text.substr(0, equals), start);
-  for (const Step& step : steps)
-    if (step.name.empty()) {
-      findings.push_back({step.place, "",
-                          "`" + std::string(text.substr(0, equals)) +
-                              "` has an empty part; a path reads "
-                              "`section.key` or `list.0.key`"});
-      return root;
-    }
+  if (!check_steps(steps, text.substr(0, equals), findings)) return root;
   const Place value_place{start.source, start.line, start.column + int(equals) + 1};
   std::vector<Finding> in_value;
   const YamlPtr value = parse_yaml(text.substr(equals + 1), value_place, in_value);
@@ -90,13 +113,7 @@ YamlPtr apply_override(const YamlPtr& root, std::string_view text, Place start, 
     finding.path = path;
     findings.push_back(std::move(finding));
   }
-  if (!value) return root;
-  try {
-    return with_value(root, steps, 0, value, "");
-  } catch (const Refused& refused) {
-    findings.push_back(refused.finding);
-    return root;
-  }
+  return value ? placed(root, steps, value, findings) : root;
 }
 
 }  // namespace breccia

@@ -11,9 +11,7 @@
 
 namespace breccia {
 
-namespace {
-
-[[noreturn]] void refuse(std::vector<Finding> findings, const std::vector<InputFile>& files) {
+void refuse(std::vector<Finding> findings, const std::vector<InputFile>& files) {
   std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
     return std::tie(a.place.source, a.place.line, a.place.column) <
            std::tie(b.place.source, b.place.line, b.place.column);
@@ -26,8 +24,6 @@ namespace {
   }
   throw ConfigError(std::move(problems));
 }
-
-}  // namespace
 
 namespace {
 
@@ -62,6 +58,43 @@ YamlPtr choose_variant(const YamlPtr& tree, const std::string& variant, const Pa
   return merge(root, rest, chosen->value, plugins);
 }
 
+/// The files of the chain, each over its base, with the variant over them.
+YamlPtr merged(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins, const std::string& variant,
+               std::vector<Finding>& findings) {
+  if (!chain.whole) refuse(chain.findings, chain.files);
+  YamlPtr tree = chain.files.back().tree;
+  for (std::size_t k = chain.files.size() - 1; k-- > 0;) tree = merge(root, tree, chain.files[k].tree, plugins);
+  findings = chain.findings;
+  if (tree->kind == YamlNode::Kind::mapping) tree = choose_variant(tree, variant, root, plugins, chain.files.front().name, findings);
+  return tree;
+}
+
+Json checked(const YamlPtr& tree, const std::vector<InputFile>& files, std::vector<Finding> findings, const ParamSpec& root,
+             const PluginDirectory& plugins, const std::function<Issues(const Json&)>& root_rules = {}) {
+  if (const YamlEntry* base = tree->find("base"))
+    findings.push_back({base->place, "base", "cannot be set here; only a workflow file names the file it builds on"});
+
+  SectionReader reader(plugins, files, root, *tree);
+  Json config = reader.read(root, *tree, {"", {}});
+  if (findings.empty() && reader.findings().empty() && root_rules)
+    reader.add_issues(root_rules(config), *tree, {"", {}});
+  findings.insert(findings.end(), reader.findings().begin(), reader.findings().end());
+  if (!findings.empty()) refuse(std::move(findings), files);
+  return config;
+}
+
+/// A copy whose places name another source.
+YamlPtr with_source(const YamlPtr& node, int source) {
+  auto copy = std::make_shared<YamlNode>(*node);
+  copy->place.source = source;
+  for (YamlPtr& item : copy->items) item = with_source(item, source);
+  for (YamlEntry& entry : copy->entries) {
+    entry.place.source = source;
+    entry.value = with_source(entry.value, source);
+  }
+  return copy;
+}
+
 }  // namespace
 
 std::vector<std::string> variants_of(const BaseChain& chain) {
@@ -76,27 +109,33 @@ std::vector<std::string> variants_of(const BaseChain& chain) {
   return names;
 }
 
-Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins, const std::vector<std::string>& overrides,
-                 const std::function<Issues(const Json&)>& root_rules, const std::string& variant) {
-  if (!chain.whole) refuse(chain.findings, chain.files);
-  std::vector<Finding> findings = chain.findings;
-  YamlPtr tree = chain.files.back().tree;
-  for (std::size_t k = chain.files.size() - 1; k-- > 0;) tree = merge(root, tree, chain.files[k].tree, plugins);
-  if (tree->kind == YamlNode::Kind::mapping) tree = choose_variant(tree, variant, root, plugins, chain.files.front().name, findings);
+Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins, const ValuesOnTop& on_top) {
+  std::vector<Finding> findings;
+  YamlPtr tree = merged(chain, root, plugins, {}, findings);
+  std::vector<InputFile> files = chain.files;
+  const int source = int(files.size());
+  files.push_back(on_top.file);
+  files.back().on_top = true;
+  if (tree->kind == YamlNode::Kind::mapping)
+    for (const PlacedValue& given : on_top.values) {
+      PlacedValue here = given;
+      here.place.source = source;
+      here.value = with_source(given.value, source);
+      tree = apply_value(tree, here, findings);
+    }
+  return checked(tree, files, std::move(findings), root, plugins);
+}
+
+Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins,
+                 const std::vector<std::string>& overrides, const std::function<Issues(const Json&)>& root_rules,
+                 const std::string& variant) {
+  std::vector<Finding> findings;
+  YamlPtr tree = merged(chain, root, plugins, variant, findings);
   const int command_line = int(chain.files.size());
   if (tree->kind == YamlNode::Kind::mapping)
     for (std::size_t k = 0; k < overrides.size(); ++k)
       tree = apply_override(tree, overrides[k], {command_line, int(k) + 1, 1}, findings);
-  if (const YamlEntry* base = tree->find("base"))
-    findings.push_back({base->place, "base", "cannot be set here; only a workflow file names the file it builds on"});
-
-  SectionReader reader(plugins, chain.files, root, *tree);
-  Json config = reader.read(root, *tree, {"", {}});
-  if (findings.empty() && reader.findings().empty() && root_rules)
-    reader.add_issues(root_rules(config), *tree, {"", {}});
-  findings.insert(findings.end(), reader.findings().begin(), reader.findings().end());
-  if (!findings.empty()) refuse(std::move(findings), chain.files);
-  return config;
+  return checked(tree, chain.files, std::move(findings), root, plugins, root_rules);
 }
 
 Json read_config(const std::string& yaml_text, const std::string& file_name, const ParamSpec& root,

@@ -32,6 +32,13 @@ Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDire
 /// Names of the variants that the files of the chain offer together, in order of the alphabet.
 std::vector<std::string> variants_of(const BaseChain& chain);
 
+/// The same with the values that a study gives in place of those of the command line. Relative paths in them start at
+/// the study's folder.
+Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins, const ValuesOnTop& on_top);
+
+/// Throws what was found as a ConfigError; `files` are the sources of the places.
+[[noreturn]] void refuse(std::vector<Finding> findings, const std::vector<InputFile>& files);
+
 /// The same for a text that stands, or might stand, in the file of that name.
 Json read_config(const std::string& yaml_text, const std::string& file_name, const ParamSpec& root,
                  const PluginDirectory& plugins, const std::vector<std::string>& overrides = {},

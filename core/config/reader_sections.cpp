@@ -34,6 +34,7 @@ Json SectionReader::read(const ParamSpec& spec, const YamlNode& node, const Site
     case ParamType::plugin: return check_mapping(node, site, spec) ? read_plugin(spec, node, site) : Json();
     case ParamType::free_form: return check_mapping(node, site, spec) ? plain_json(node) : Json();
     case ParamType::quantity_list:
+    case ParamType::text_list:
     case ParamType::group_list:
     case ParamType::plugin_list: return read_list(spec, node, site);
     default: return read_scalar(spec, node, site);
@@ -171,6 +172,7 @@ Json SectionReader::read_list(const ParamSpec& spec, const YamlNode& node, const
   }
   ParamSpec item = spec;
   item.type = spec.type == ParamType::quantity_list ? ParamType::quantity
+              : spec.type == ParamType::text_list   ? ParamType::text
               : spec.type == ParamType::group_list  ? ParamType::group : ParamType::plugin;
   item.required = true;
   Json all = Json::array();

@@ -53,6 +53,7 @@ std::string wanted_value(const ParamSpec& spec) {
     case ParamType::text: return "a text";
     case ParamType::choice: return "one of its names";
     case ParamType::path: return "the name of a file";
+    case ParamType::text_list: return "a list (`[..., ...]`) of texts";
     case ParamType::group: return "a mapping (`key: value` lines)";
     case ParamType::group_list: return "a list (`- ` items) of mappings";
     case ParamType::plugin: return "a mapping that begins with `type: NAME`";

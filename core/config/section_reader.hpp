@@ -59,7 +59,9 @@ class SectionReader {
 
   bool in_base(Place place) const { return place.source > 0 && std::size_t(place.source) < files_.size(); }
   /// The place to blame for what nobody wrote. A base need not be complete, so that is the workflow that builds on it.
-  Place place_of_absent(const Site& site) const { return in_base(site.place) ? files_[0].base : site.place; }
+  Place place_of_absent(const Site& site) const {
+    return in_base(site.place) && !files_[std::size_t(site.place.source)].on_top ? files_[0].base : site.place;
+  }
 
   const PluginDirectory& plugins_;
   const std::vector<InputFile>& files_;

@@ -2,8 +2,9 @@
 #include "engine/neighbours.hpp"
 
 #include <algorithm>
+#include <utility>
 
-#include "breccia/cell_grid.hpp"
+#include "engine/neighbour_search.hpp"
 
 namespace breccia {
 namespace {
@@ -18,13 +19,23 @@ std::vector<std::size_t> rows_by_first(const std::vector<Index>& first, std::siz
   return start;
 }
 
+/// Keeps the memory that is there; what it holds is overwritten.
 void resize(Pairs& p, std::size_t n, std::size_t columns, bool moments) {
   p.i.resize(n); p.j.resize(n); p.bond.resize(n); p.rest_length.resize(n); p.state.resize(n);
   p.columns.resize(columns);
   for (auto& c : p.columns) c.resize(n);
-  p.force.assign(n, PairForce{});
-  if (moments) p.moment.assign(n, Vec3::Zero());
+  p.force.resize(n);
+  if (moments) p.moment.resize(n, Vec3::Zero());
 }
+
+/// The rows of some particles, found by one thread.
+struct Rows {
+  static constexpr std::size_t particles = 512;
+  static constexpr Index fresh = 0xffffffffu;
+  std::vector<Index> i, j, from;  ///< row of the old list, or fresh
+  std::vector<Index> changed;     ///< particles of fresh rows
+  std::size_t start = 0;          ///< in the new list
+};
 
 }  // namespace
 
@@ -49,98 +60,126 @@ PairBatch whole_batch(State& s, std::vector<double*>& column_pointers) {
   return b;
 }
 
-std::vector<Index> rebuild_pairs(State& s, ContactLaw& law, double skin) {
+std::vector<Index> rebuild_pairs(State& s, ContactLaw& law, double skin, Pairs& spare, int threads) {
   const Particles& p = s.particles;
-  const std::size_t n = p.size();
-  const Pairs old = std::move(s.pairs);
+  const Index n = Index(p.size());
+  std::swap(s.pairs, spare);
+  const Pairs& old = spare;
+  Pairs& q = s.pairs;
   const auto old_start = rows_by_first(old.i, n);
   const auto bond_start = rows_by_first(s.bonds.i, n);
   const bool first_time = old.size() == 0;
-  constexpr std::size_t fresh = SIZE_MAX;
+  const NeighbourSearch search(p, skin);
 
-  std::vector<Index> new_i, new_j;
-  std::vector<std::size_t> from;  // row in `old`, or fresh
-  std::vector<Index> partners;
-  const double largest = *std::max_element(p.radius.begin(), p.radius.end());
-  const CellGrid grid(p.position, 2 * largest + skin);
-  for (Index i = 0; i < n; ++i) {
-    partners.clear();
-    grid.for_each_near(p.position[i], [&](Index j) {
-      if (j > i && distance(p, i, j) < p.radius[i] + p.radius[j] + skin) partners.push_back(j);
-    });
-    for (std::size_t k = old_start[i]; k < old_start[i + 1]; ++k)
-      if (old.state[k] == BondState::intact || distance(p, i, old.j[k]) < old.rest_length[k] + skin) partners.push_back(old.j[k]);
-    if (first_time)
-      for (std::size_t k = bond_start[i]; k < bond_start[i + 1]; ++k) partners.push_back(s.bonds.j[k]);
-    std::sort(partners.begin(), partners.end());
-    partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
-    for (const Index j : partners) {
-      const auto begin = old.j.begin() + std::ptrdiff_t(old_start[i]), end = old.j.begin() + std::ptrdiff_t(old_start[i + 1]);
-      const auto at = std::lower_bound(begin, end, j);
-      new_i.push_back(i);
-      new_j.push_back(j);
-      from.push_back(at != end && *at == j ? std::size_t(at - old.j.begin()) : fresh);
+  std::vector<Rows> blocks((n + Rows::particles - 1) / Rows::particles);
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    Rows& rows = blocks[b];
+    std::vector<Index> partners;
+    for (Index i = Index(b * Rows::particles); i < std::min<std::size_t>(n, (b + 1) * Rows::particles); ++i) {
+      partners.clear();
+      search.append_partners(i, partners);
+      for (std::size_t k = old_start[i]; k < old_start[i + 1]; ++k)
+        if (old.state[k] == BondState::intact || distance(p, i, old.j[k]) < old.rest_length[k] + skin) partners.push_back(old.j[k]);
+      if (first_time)
+        for (std::size_t k = bond_start[i]; k < bond_start[i + 1]; ++k) partners.push_back(s.bonds.j[k]);
+      std::sort(partners.begin(), partners.end());
+      partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
+      std::size_t at = old_start[i];
+      for (const Index j : partners) {
+        while (at < old_start[i + 1] && old.j[at] < j) ++at;
+        const bool known = at < old_start[i + 1] && old.j[at] == j;
+        rows.i.push_back(i);
+        rows.j.push_back(j);
+        rows.from.push_back(known ? Index(at) : Rows::fresh);
+      }
     }
   }
-
-  Pairs& q = s.pairs;
-  q = {};
-  resize(q, new_i.size(), law.columns().size(), law.has_moments());
-  q.i = std::move(new_i);
-  q.j = std::move(new_j);
+  std::size_t size = 0;
+  for (Rows& rows : blocks) {
+    rows.start = size;
+    size += rows.i.size();
+  }
+  BRECCIA_ASSERT(size < (std::size_t(1) << 31));
+  resize(q, size, law.columns().size(), law.has_moments());
   std::fill(s.bonds.pair.begin(), s.bonds.pair.end(), BondsView::no_pair);
-  for (std::size_t k = 0; k < q.size(); ++k) {
-    const Index i = q.i[k], j = q.j[k];
-    if (from[k] != fresh) {
-      q.bond[k] = old.bond[from[k]];
-      q.rest_length[k] = old.rest_length[from[k]];
-      q.state[k] = old.state[from[k]];
-      for (std::size_t c = 0; c < q.columns.size(); ++c) q.columns[c][k] = old.columns[c][from[k]];
-    } else {
-      const auto begin = s.bonds.j.begin() + std::ptrdiff_t(bond_start[i]), end = s.bonds.j.begin() + std::ptrdiff_t(bond_start[i + 1]);
-      const auto at = std::lower_bound(begin, end, j);
-      const bool bonded = first_time && at != end && *at == j;
-      q.bond[k] = bonded ? Index(at - s.bonds.j.begin()) : PairsView::no_bond;
-      q.state[k] = bonded ? BondState::intact : BondState::unbonded;
-      q.rest_length[k] = bonded ? s.bonds.initial_distance[q.bond[k]] : std::min(distance(p, i, j), p.radius[i] + p.radius[j]);
-    }
-    if (q.bond[k] != PairsView::no_bond) s.bonds.pair[q.bond[k]] = Index(k);
-  }
   std::vector<double*> columns;
-  PairBatch batch = whole_batch(s, columns);
-  std::vector<Index> changed;
-  for (std::size_t k = 0; k < q.size(); ++k)
-    if (from[k] == fresh) {
-      batch.begin = k;
-      batch.end = k + 1;
-      law.initialise(batch);
-      changed.insert(changed.end(), {q.i[k], q.j[k]});
+  const PairBatch all = whole_batch(s, columns);
+
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    Rows& rows = blocks[b];
+    const std::size_t start = rows.start, count = rows.i.size();
+    std::copy(rows.i.begin(), rows.i.end(), q.i.begin() + std::ptrdiff_t(start));
+    std::copy(rows.j.begin(), rows.j.end(), q.j.begin() + std::ptrdiff_t(start));
+    for (std::size_t c = 0; c < q.columns.size(); ++c)
+      for (std::size_t k = 0; k < count; ++k)
+        if (rows.from[k] != Rows::fresh) q.columns[c][start + k] = old.columns[c][rows.from[k]];
+    for (std::size_t r = 0; r < count; ++r) {
+      const Index i = rows.i[r], j = rows.j[r], from = rows.from[r];
+      const std::size_t k = start + r;
+      if (from != Rows::fresh) {
+        q.bond[k] = old.bond[from];
+        q.rest_length[k] = old.rest_length[from];
+        q.state[k] = old.state[from];
+      } else {
+        const auto begin = s.bonds.j.begin() + std::ptrdiff_t(bond_start[i]), end = s.bonds.j.begin() + std::ptrdiff_t(bond_start[i + 1]);
+        const auto at = std::lower_bound(begin, end, j);
+        const bool bonded = first_time && at != end && *at == j;
+        q.bond[k] = bonded ? Index(at - s.bonds.j.begin()) : PairsView::no_bond;
+        q.state[k] = bonded ? BondState::intact : BondState::unbonded;
+        q.rest_length[k] = bonded ? s.bonds.initial_distance[q.bond[k]] : std::min(distance(p, i, j), p.radius[i] + p.radius[j]);
+        rows.changed.insert(rows.changed.end(), {i, j});
+        PairBatch one = all;
+        one.begin = k;
+        one.end = k + 1;
+        law.initialise(one);
+      }
+      if (q.bond[k] != PairsView::no_bond) s.bonds.pair[q.bond[k]] = Index(k);
     }
-  std::sort(changed.begin(), changed.end());
-  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  }
+  std::vector<std::uint8_t> has_new(n, 0);
+  for (const Rows& rows : blocks)
+    for (const Index a : rows.changed) has_new[a] = 1;
+  std::vector<Index> changed;
+  for (Index a = 0; a < n; ++a)
+    if (has_new[a]) changed.push_back(a);
   s.positions_at_rebuild = p.position;
   s.moved_bound = s.walls_moved = 0;
   return changed;
 }
 
-Incidence make_incidence(const State& s) {
-  Incidence in;
-  in.start.assign(s.particles.size() + 1, 0);
+Incidence make_incidence(const State& s, int threads) {
   const Pairs& q = s.pairs;
-  BRECCIA_ASSERT(q.size() < (std::size_t(1) << 31));
-  for (std::size_t k = 0; k < q.size(); ++k) { ++in.start[q.i[k] + 1]; ++in.start[q.j[k] + 1]; }
-  for (std::size_t k = 0; k < s.particles.size(); ++k) in.start[k + 1] += in.start[k];
+  const std::size_t n = s.particles.size(), t = std::size_t(threads);
+  Incidence in;
+  in.start.assign(n + 1, 0);
   in.entry.resize(2 * q.size());
-  std::vector<std::size_t> next(in.start.begin(), in.start.end() - 1);
-  for (std::size_t k = 0; k < q.size(); ++k) {
-    in.entry[next[q.i[k]]++] = Index(2 * k);
-    in.entry[next[q.j[k]]++] = Index(2 * k + 1);
+  // Counting sort: each thread has its part of the pairs, and its places within each particle's come after those of the
+  // threads before it.
+  std::vector<Index> place(t * n, 0);
+  const auto part = [&](std::size_t k) { return q.size() * k / t; };
+#pragma omp parallel for schedule(static, 1) num_threads(threads)
+  for (std::size_t k = 0; k < t; ++k)
+    for (std::size_t r = part(k); r < part(k + 1); ++r) { ++place[k * n + q.i[r]]; ++place[k * n + q.j[r]]; }
+  Index before = 0;
+  for (std::size_t a = 0; a < n; ++a) {
+    in.start[a] = before;
+    for (std::size_t k = 0; k < t; ++k) before += std::exchange(place[k * n + a], before);
   }
+  in.start[n] = before;
+#pragma omp parallel for schedule(static, 1) num_threads(threads)
+  for (std::size_t k = 0; k < t; ++k)
+    for (std::size_t r = part(k); r < part(k + 1); ++r) {
+      in.entry[place[k * n + q.i[r]]++] = Index(2 * r);
+      in.entry[place[k * n + q.j[r]]++] = Index(2 * r + 1);
+    }
   return in;
 }
 
-double largest_displacement_since_rebuild(const State& s) {
+double largest_displacement_since_rebuild(const State& s, int threads) {
   double most = 0;
+#pragma omp parallel for schedule(static) num_threads(threads) reduction(max : most)
   for (std::size_t k = 0; k < s.particles.size(); ++k)
     most = std::max(most, (s.particles.position[k] - s.positions_at_rebuild[k]).squaredNorm());
   return std::sqrt(most);

@@ -17,16 +17,16 @@ struct Incidence {
 };
 
 /// Rebuilds the pair list with the given skin [m]; pairs that stay keep their history, new ones get it from the law.
-/// A pair that is no longer an intact bond leaves once its surfaces (or its rest length) are a skin apart. Returns the
+/// `spare` lends its memory and receives the old list. A pair that is no longer an intact bond leaves once its surfaces (or its rest length) are a skin apart. Returns the
 /// particles that got a new neighbour, ascending.
-std::vector<Index> rebuild_pairs(State& state, ContactLaw& law, double skin);
+std::vector<Index> rebuild_pairs(State& state, ContactLaw& law, double skin, Pairs& spare, int threads);
 
 /// The batch of all pairs of the state, for calls of the law; per-chunk sums are not set.
 PairBatch whole_batch(State& state, std::vector<double*>& column_pointers);
 
-Incidence make_incidence(const State& state);
+Incidence make_incidence(const State& state, int threads);
 
 /// The farthest that any particle has moved since the pair list was made [m].
-double largest_displacement_since_rebuild(const State& state);
+double largest_displacement_since_rebuild(const State& state, int threads);
 
 }  // namespace breccia

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/particle_pass.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace breccia {
@@ -35,27 +36,27 @@ double advance(Vec3& v, const Vec3& load, double mass, double alpha, std::uint8_
 
 }  // namespace
 
-void sum_forces(State& s, const Incidence& in, const std::vector<Vec3>& external_force, const std::vector<Vec3>& external_torque, int threads) {
+void clear_forces(State& s, const Share& share) {
+  std::fill(s.particles.force.begin() + share.first_particle, s.particles.force.begin() + share.end_particle, Vec3::Zero());
+  std::fill(s.particles.torque.begin() + share.first_particle, s.particles.torque.begin() + share.end_particle, Vec3::Zero());
+}
+
+void complete_forces(State& s, const Share& share, const Incidence& in, const std::vector<Vec3>& external_force,
+                     const std::vector<Vec3>& external_torque) {
   Particles& p = s.particles;
-  const PairForce* pair = s.pairs.force.data();
   const Vec3* moment = s.pairs.moment.empty() ? nullptr : s.pairs.moment.data();
-  const std::ptrdiff_t n = std::ptrdiff_t(p.size());
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (std::ptrdiff_t a = 0; a < n; ++a) {
-    const double r = p.radius[a];
-    double f[3] = {0, 0, 0}, t[3] = {0, 0, 0};
+  for (const Index a : share.apart)
     for (std::size_t e = in.start[a]; e < in.start[a + 1]; ++e) {
-      const PairForce& q = pair[in.entry[e] >> 1];
-      const double sign = in.entry[e] & 1 ? -1.0 : 1.0, arm = r + q.half_gap;
-      f[0] += sign * q.fx; f[1] += sign * q.fy; f[2] += sign * q.fz;
-      t[0] += arm * q.tx; t[1] += arm * q.ty; t[2] += arm * q.tz;
+      const PairForce& q = s.pairs.force[in.entry[e] >> 1];
+      const double sign = in.entry[e] & 1 ? -1.0 : 1.0, arm = p.radius[a] + q.half_gap;
+      Vec3 torque(arm * q.tx, arm * q.ty, arm * q.tz);
+      if (moment) torque += sign * moment[in.entry[e] >> 1];
+      p.force[a] += sign * Vec3(q.fx, q.fy, q.fz);
+      p.torque[a] += torque;
     }
-    Vec3 torque(t[0], t[1], t[2]);
-    if (moment)
-      for (std::size_t e = in.start[a]; e < in.start[a + 1]; ++e)
-        torque += (in.entry[e] & 1 ? -1.0 : 1.0) * moment[in.entry[e] >> 1];
-    p.force[a] = Vec3(f[0], f[1], f[2]) + external_force[a];
-    p.torque[a] = torque + external_torque[a];
+  for (Index a = share.first_particle; a < share.end_particle; ++a) {
+    p.force[a] += external_force[a];
+    p.torque[a] += external_torque[a];
   }
 }
 

@@ -2,7 +2,7 @@
 /// Sums the pair forces on each particle, adds damping and moves it.
 #pragma once
 
-#include "engine/neighbours.hpp"
+#include "engine/partition.hpp"
 #include "model/state.hpp"
 
 namespace breccia {
@@ -19,11 +19,14 @@ struct PassSums {
   double largest_speed = 0;               ///< [m/s]
 };
 
-/// Resultants at the present positions into `force` and `torque`; `external_*` hold walls' and applied loads.
-void sum_forces(State& state, const Incidence& incidence, const std::vector<Vec3>& external_force,
-                const std::vector<Vec3>& external_torque, int threads);
+/// Before the pairs of a share are evaluated: `force` and `torque` of its particles are zero.
+void clear_forces(State& state, const Share& share);
 
-/// Leapfrog: velocities by one step with the resultants of `sum_forces` and damping, then positions.
+/// After all pairs are: sums those particles of the share that are apart, and adds walls' and applied loads to all.
+void complete_forces(State& state, const Share& share, const Incidence& incidence, const std::vector<Vec3>& external_force,
+                     const std::vector<Vec3>& external_torque);
+
+/// Leapfrog: velocities by one step with the resultants in `force` and `torque` and damping, then positions.
 /// Held components keep their velocity; the work that this takes counts as boundary work.
 PassSums integrate(State& state, const Damping& damping, bool any_applied, int threads);
 

@@ -48,10 +48,11 @@ void Simulation::prepare() {
 
 void Simulation::rebuild() {
   fold_chunk_sums();
-  std::vector<Index> changed = rebuild_pairs(state_, law_, skin_);
+  std::vector<Index> changed = rebuild_pairs(state_, law_, skin_, spare_pairs_, settings_.threads);
   rebuild_wall_touches(state_, skin_);
   for (const WallTouch& t : state_.wall_touches) changed.push_back(t.particle);
-  incidence_ = make_incidence(state_);
+  incidence_ = make_incidence(state_, settings_.threads);
+  partition_ = make_partition(state_, incidence_, settings_.threads);
   const std::size_t chunks = (state_.pairs.size() + PairBatch::chunk - 1) / PairBatch::chunk;
   chunk_friction_.assign(chunks, 0);
   chunk_contact_.assign(chunks, 0);
@@ -70,12 +71,12 @@ void Simulation::update_time_step(const std::vector<Index>& changed) {
   state_.time_step = settings_.safety * critical_;
 }
 
-void Simulation::forces() {
+void Simulation::forces(bool to_be_viewed) {
   State& s = state_;
   // The bound adds up the fastest particle of each step; only when it says "perhaps" are the true displacements looked at.
   const double allowed = 0.9 * skin_;
   if (2 * s.moved_bound > allowed || s.moved_bound + s.walls_moved > allowed) {
-    s.moved_bound = largest_displacement_since_rebuild(s);
+    s.moved_bound = largest_displacement_since_rebuild(s, settings_.threads);
     if (2 * s.moved_bound > 0.9 * allowed || s.moved_bound + s.walls_moved > 0.9 * allowed) rebuild();
   }
   PairBatch all = whole_batch(s, columns_);
@@ -83,17 +84,29 @@ void Simulation::forces() {
   all.contact_work = chunk_contact_.data();
   all.fracture_energy = chunk_fracture_.data();
   all.chunk_broke = chunk_broke_.data();
-  const std::size_t chunks = chunk_broke_.size(), threads = std::size_t(settings_.threads);
-#pragma omp parallel for schedule(static, 1) num_threads(settings_.threads)
-  for (std::size_t t = 0; t < threads; ++t) {
-    PairBatch mine = all;
-    mine.begin = PairBatch::chunk * (chunks * t / threads);
-    mine.end = std::min(all.end, PairBatch::chunk * (chunks * (t + 1) / threads));
-    if (mine.begin < mine.end) law_.evaluate(mine);
+  all.sum_force = s.particles.force.data();
+  all.sum_torque = s.particles.torque.data();
+  all.apart = partition_.apart.data();
+  all.chunk_apart = partition_.chunk_apart.data();
+  all.keep_force = pair_forces_known_ = to_be_viewed;
+  const std::size_t shares = partition_.shares.size();
+#pragma omp parallel num_threads(settings_.threads)
+  {
+#pragma omp for schedule(static, 1) nowait
+    for (std::size_t t = 0; t < shares; ++t) {
+      const Share& share = partition_.shares[t];
+      PairBatch mine = all;
+      mine.begin = share.first_pair;
+      mine.end = share.end_pair;
+      clear_forces(s, share);
+      if (mine.begin < mine.end) law_.evaluate(mine);
+    }
+#pragma omp single  // the first to be through; at its end the others are, too
+    wall_forces(s, external_force_, external_torque_);
+#pragma omp for schedule(static, 1)
+    for (std::size_t t = 0; t < shares; ++t) complete_forces(s, partition_.shares[t], incidence_, external_force_, external_torque_);
   }
   record_breaks();
-  wall_forces(s, external_force_, external_torque_);
-  sum_forces(s, incidence_, external_force_, external_torque_, settings_.threads);
 }
 
 void Simulation::record_breaks() {
@@ -105,11 +118,14 @@ void Simulation::record_breaks() {
       const Index b = s.pairs.bond[k];
       if (b == PairsView::no_bond || s.bonds.state[b] == s.pairs.state[k]) continue;
       const Index i = s.pairs.i[k];
-      const Vec3 branch = s.particles.position[s.pairs.j[k]] - s.particles.position[i];
+      const Index j = s.pairs.j[k];
+      const Vec3 branch = s.particles.position[j] - s.particles.position[i];
+      const double distance = std::sqrt(branch.x() * branch.x() + branch.y() * branch.y() + branch.z() * branch.z());  // as the loop has it
+      const double half_gap = 0.5 * (distance - s.particles.radius[i] - s.particles.radius[j]);
       s.bonds.state[b] = s.pairs.state[k];
       s.bonds.break_time[b] = s.time;
       s.bonds.break_normal[b] = branch.normalized();
-      s.bonds.break_position[b] = s.particles.position[i] + (s.particles.radius[i] + s.pairs.force[k].half_gap) * s.bonds.break_normal[b];
+      s.bonds.break_position[b] = s.particles.position[i] + (s.particles.radius[i] + half_gap) * s.bonds.break_normal[b];
     }
   }
 }
@@ -138,13 +154,23 @@ void Simulation::fold_chunk_sums() {
 }
 
 double Simulation::elastic_energy() {
+  constexpr std::size_t block = 64 * PairBatch::chunk;  // grain of the sum: never depends on the thread count
   std::vector<double*> columns;
-  return law_.energy(whole_batch(state_, columns)) + wall_energy(state_);
+  const PairBatch all = whole_batch(state_, columns);
+  std::vector<double> sums((all.end + block - 1) / block);
+#pragma omp parallel for schedule(static) num_threads(settings_.threads)
+  for (std::size_t b = 0; b < sums.size(); ++b) {
+    PairBatch mine = all;
+    mine.begin = b * block;
+    mine.end = std::min(all.end, (b + 1) * block);
+    sums[b] = law_.energy(mine);
+  }
+  return std::accumulate(sums.begin(), sums.end(), 0.0) + wall_energy(state_);
 }
 
 ParticlesView Simulation::particles() const {
   const Particles& p = state_.particles;
-  return {p.position, p.velocity, p.angular_velocity, p.reference_position, p.force, p.torque, p.applied_force, p.radius, p.mass, p.id};
+  return {p.position, p.velocity, p.angular_velocity, p.reference_position, p.force, p.torque, p.applied_force, p.applied_moment, p.radius, p.mass, p.id};
 }
 
 BondStiffness Simulation::bond_stiffness() {
@@ -226,13 +252,16 @@ void Simulation::release(Index a, std::uint8_t mask) {
   state_.particles.held[a] = std::uint8_t((state_.particles.held[a] & ~mask) | always);
 }
 
-void Simulation::set_applied_force(Index a, const Vec3& force) {
+void Simulation::set_applied_force(Index a, const Vec3& force, const Mat3& moment) {
   external_force_[a] += force - state_.particles.applied_force[a];
   state_.particles.applied_force[a] = force;
+  state_.particles.applied_moment.resize(state_.particles.size(), Mat3::Zero());
+  state_.particles.applied_moment[a] = moment;
   any_applied_ = true;
 }
 
 SimulationView Simulation::view() {
+  BRECCIA_ASSERT(pair_forces_known_);
   State& s = state_;
   fold_chunk_sums();
   SimulationView v;

@@ -8,6 +8,7 @@
 #include "engine/bonding.hpp"
 #include "engine/neighbours.hpp"
 #include "engine/particle_pass.hpp"
+#include "engine/partition.hpp"
 
 namespace breccia {
 
@@ -29,7 +30,8 @@ class Simulation final : public LoadControl {
   void prepare();
 
   /// One step is `forces()` (resultants at the present time) then `advance()`; measure between the two.
-  void forces();
+  /// A view may be taken only of a step that was told so: the force of each pair is not written to memory otherwise.
+  void forces(bool to_be_viewed = true);
   void advance();
 
   SimulationView view();              ///< valid until the next call that changes anything
@@ -43,7 +45,7 @@ class Simulation final : public LoadControl {
   void set_wall_velocity(std::size_t wall, const Vec3& velocity) override;
   void hold(Index particle, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity) override;
   void release(Index particle, std::uint8_t mask) override;
-  void set_applied_force(Index particle, const Vec3& force) override;
+  void set_applied_force(Index particle, const Vec3& force, const Mat3& moment) override;
   SpecimenShape set_specimen_axis(const Vec3& axis) override;
   void mark_start_of_loading() override;
   double time() const override { return state_.time; }
@@ -64,12 +66,14 @@ class Simulation final : public LoadControl {
   ContactLaw& law_;
   EngineSettings settings_;
   double skin_ = 0, critical_ = 0;
+  Pairs spare_pairs_;  ///< of the last rebuild: its memory is used again
   Incidence incidence_;
+  Partition partition_;
   std::vector<double*> columns_;
   std::vector<double> chunk_friction_, chunk_contact_, chunk_fracture_;
   std::vector<std::uint8_t> chunk_broke_;
   std::vector<Vec3> external_force_, external_torque_;
-  bool any_applied_ = false, loading_started_ = false;
+  bool any_applied_ = false, loading_started_ = false, pair_forces_known_ = true;
   std::uint64_t rebuilds_ = 0;
   std::vector<WallView> wall_views_;
   std::vector<WallContact> wall_contacts_;

@@ -18,6 +18,7 @@ struct Particles {
   std::vector<Vec3> force, torque;                         ///< undamped resultants of the last force evaluation [N], [N m]
   std::vector<Vec3> reference_position;                    ///< at the start of loading [m]
   std::vector<Vec3> applied_force;                         ///< by the protocol [N]
+  std::vector<Mat3> applied_moment;                        ///< (point - centre) (x) force [N m]; empty until there is one
   std::vector<double> radius, mass, inertia;               // [m], [kg], [kg m2]
   std::vector<std::uint8_t> held;                          ///< bits of `dof`
   std::vector<Index> id;                                   ///< row in the packing

@@ -3,15 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "run/compare.hpp"
+#include "run/summary_keys.hpp"
 
 namespace breccia {
 namespace {
-
-/// What tells of the computation rather than of the specimen: left out of the table for readers.
-constexpr const char* bookkeeping[] = {"threads",     "steps",            "time_step_s",            "simulated_time_s",
-                                       "wall_time_s", "ns_per_bond_step", "neighbour_list_rebuilds"};
 
 /// Adds the new ones of `more`, each behind its section or else its predecessor: what belongs together stays together.
 void merge(std::vector<std::string>& keys, const std::vector<std::string>& more) {
@@ -25,29 +23,6 @@ void merge(std::vector<std::string>& keys, const std::vector<std::string>& more)
     if (it != keys.end()) at = std::size_t(it - keys.begin()) + 1;
     else keys.insert(keys.begin() + std::ptrdiff_t(at++), key);
   }
-}
-
-/// The numbers below a JSON object, with their dotted names. A number that a run could not measure is null and kept.
-std::vector<std::pair<std::string, Json>> numbers(const Json& object, const std::string& prefix) {
-  std::vector<std::pair<std::string, Json>> all;
-  for (const auto& [key, value] : object.items()) {
-    if (value.is_object()) {
-      const auto inner = numbers(value, prefix + key + ".");
-      all.insert(all.end(), inner.begin(), inner.end());
-    } else if (value.is_boolean()) {
-      all.emplace_back(prefix + key, value.get<bool>() ? 1 : 0);
-    } else if (value.is_number() || value.is_null()) {
-      all.emplace_back(prefix + key, value);
-    }
-  }
-  return all;
-}
-
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == text.npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
 }
 
 std::string markdown_cell(const std::string& text) {
@@ -75,11 +50,9 @@ bool has_references(const ComparedRun& run) {
 /// One row of the table: the quantity, with the prefix that suits the largest of its values.
 class Row {
  public:
-  Row(const std::string& key, const std::vector<ComparedRun>& runs) : key_(key), name_(key) {
-    split_unit();
-    std::replace(name_.begin(), name_.end(), '_', ' ');
-    for (const auto& [written, read] : {std::pair{"youngs modulus", "Young's modulus"}, {"poisson ratio", "Poisson's ratio"}})
-      if (name_ == written) name_ = read;
+  Row(const std::string& key, const std::vector<ComparedRun>& runs) : key_(key) {
+    std::tie(name_, unit_) = split_unit(key);
+    name_ = readable(name_);
     double largest = 0;
     for (const ComparedRun& run : runs)
       for (const Json& v : {value_of(run.summary, key_), reference_of(run, key_)})
@@ -106,14 +79,6 @@ class Row {
   }
 
  private:
-  void split_unit() {
-    for (const char* unit : {"Pa", "m", "s", "N", "J", "kg", "m2", "m3", "rad"})
-      if (name_.ends_with(std::string("_") + unit)) {
-        unit_ = unit;
-        name_.resize(name_.size() - unit_.size() - 1);
-        return;
-      }
-  }
   void choose_prefix(double largest) {
     if (!(largest > 0) || (unit_ != "Pa" && unit_ != "m" && unit_ != "s" && unit_ != "N" && unit_ != "J")) return;
     static constexpr const char* prefixes[] = {"n", "µ", "m", "", "k", "M", "G"};
@@ -131,7 +96,7 @@ std::vector<std::string> quantities(const std::vector<ComparedRun>& runs) {
   for (const ComparedRun& run : runs) {
     std::vector<std::string> own;
     for (const auto& [key, value] : run.summary.items())
-      if (!value.is_structured() && std::find(std::begin(bookkeeping), std::end(bookkeeping), key) == std::end(bookkeeping))
+      if (!value.is_structured() && !is_bookkeeping(key))
         own.push_back(key);
     merge(keys, own);
   }
@@ -144,7 +109,7 @@ std::string comparison_csv(const std::vector<ComparedRun>& runs) {
   std::vector<std::vector<std::pair<std::string, Json>>> rows;
   std::vector<std::string> keys;
   for (const ComparedRun& run : runs) {
-    rows.push_back(numbers(run.summary, ""));
+    rows.push_back(numbers_below(run.summary));
     std::vector<std::string> own;
     for (const auto& [key, value] : rows.back()) own.push_back(key);
     merge(keys, own);

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/packing_cache.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <random>
+#include <thread>
 
 #include "output/atomic_file.hpp"
 #include "plugin/sha256.hpp"
@@ -78,11 +86,47 @@ void write_cached(const fs::path& file, const PackedParticles& p, Host& host) {
     fs::create_directories(file.parent_path());
     const std::vector<std::uint8_t> body = Json::to_cbor(to_json(p));
     const std::string text(body.begin(), body.end());
-    write_file(file, hash_text(text) + text);
+    // Under a name of its own first: other processes may be writing the same packing.
+    const fs::path own = file.string() + "." + std::to_string(std::random_device()()) + std::to_string(getpid());
+    write_file(own, hash_text(text) + text);
+    fs::rename(own, file);
   } catch (const std::exception& e) {
     host.warn(std::string("the packing was not kept for the next run: ") + e.what());
   }
 }
+
+/// Held while a packing is made, so that other processes which want the same wait and read it. Without locks in the file
+/// system each makes its own.
+class Turn {
+ public:
+  Turn(const fs::path& file, Host& host) : name_(file.string() + ".lock") {
+    std::error_code ignored;
+    fs::create_directories(name_.parent_path(), ignored);
+    lock_ = open(name_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    bool told = false;
+    while (lock_ >= 0 && flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      if (host.cancelled()) {
+        close(lock_);
+        throw Cancelled();
+      }
+      if (!told) host.info("another process is making the same packing: waiting for it");
+      told = true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+  }
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+  ~Turn() {
+    if (lock_ < 0) return;
+    std::error_code ignored;
+    fs::remove(name_, ignored);  // whoever opened it already gets it next; a newcomer makes another: at worst, twice the work
+    close(lock_);
+  }
+
+ private:
+  fs::path name_;
+  int lock_ = -1;
+};
 
 }  // namespace
 
@@ -101,11 +145,19 @@ PackingOutcome obtain_packing(const Registry& registry, const PluginChoice& choi
   for (const fs::path& input : packing->inputs()) key["inputs"].push_back(hash_text(file_content(input)));
   const fs::path file = cache_folder.empty() ? fs::path() : cache_folder / "packings" / (hash_text(key.dump()) + ".cbor");
   PackingOutcome outcome;
-  if (!file.empty())
+  const auto look = [&] {
+    if (file.empty()) return;
     if (auto cached = read_cached(file, host)) {
       outcome.particles = std::move(*cached);
       outcome.from_cache = true;
     }
+  };
+  look();
+  std::optional<Turn> turn;
+  if (!outcome.from_cache && !file.empty()) {
+    turn.emplace(file, host);
+    look();  // it may have been made meanwhile
+  }
   if (!outcome.from_cache) {
     outcome.particles = packing->generate(request, host);
     if (!file.empty() && !outcome.particles.position.empty()) write_cached(file, outcome.particles, host);

@@ -121,11 +121,12 @@ class Run {
                               sim.state().pairs.size(), monitor_.threads(), monitor_.threads() == 1 ? "" : "s"));
     for (;;) {
       auto start = Clock::now();
-      protocol_->step(sim);
-      sim.forces();
-      loop_seconds_ += seconds_since(start);
       const bool cancelled = monitor_.cancelled();
-      if (sim.state().step % std::uint64_t(w_.sampling.every_steps) == 0 || cancelled) {
+      const bool sampled = sim.state().step % std::uint64_t(w_.sampling.every_steps) == 0 || cancelled;
+      protocol_->step(sim);
+      sim.forces(sampled);
+      loop_seconds_ += seconds_since(start);
+      if (sampled) {
         const bool finished = sample() == Progress::finished;
         if (finished || cancelled) {
           interrupted_ = cancelled && !finished;

@@ -117,15 +117,9 @@ void try_plugins(const Workflow& w, const Registry& registry) {
   for (const PluginChoice& c : w.renderers) registry.create<Renderer>(c);
 }
 
-}  // namespace
-
-std::vector<std::string> workflow_variants(const fs::path& file) { return variants_of(follow_bases(read_text(file), file.string())); }
-
-LoadedWorkflow load_workflow(const fs::path& file, const std::vector<std::string>& overrides, Registry& registry, const std::string& variant) {
-  const BaseChain chain = follow_bases(read_text(file), file.string());
-  for (const fs::path& path : plugin_paths(chain)) registry.add(path);
+LoadedWorkflow loaded_from(Json config, const fs::path& file, const Registry& registry, const std::string& variant = {}) {
   LoadedWorkflow loaded;
-  loaded.config = read_config(chain, workflow_schema(), registry, overrides, {}, variant);
+  loaded.config = std::move(config);
   loaded.config.erase("variants");
   if (loaded.config["name"] == "") loaded.config["name"] = file.stem().string();
   if (!variant.empty()) loaded.config["name"] = loaded.config["name"].get<std::string>() + "_" + variant;
@@ -134,6 +128,20 @@ LoadedWorkflow load_workflow(const fs::path& file, const std::vector<std::string
   loaded.workflow = schema.load(loaded.config);
   try_plugins(loaded.workflow, registry);
   return loaded;
+}
+
+}  // namespace
+
+std::vector<std::string> workflow_variants(const fs::path& file) { return variants_of(follow_bases(read_text(file), file.string())); }
+
+LoadedWorkflow load_workflow(const fs::path& file, const std::vector<std::string>& overrides, Registry& registry, const std::string& variant) {
+  const BaseChain chain = follow_bases(read_text(file), file.string());
+  for (const fs::path& path : plugin_paths(chain)) registry.add(path);
+  return loaded_from(read_config(chain, workflow_schema(), registry, overrides, {}, variant), file, registry, variant);
+}
+
+LoadedWorkflow load_workflow(const BaseChain& chain, const ValuesOnTop& on_top, const Registry& registry) {
+  return loaded_from(read_config(chain, workflow_schema(), registry, on_top), chain.files[0].name, registry);
 }
 
 }  // namespace breccia

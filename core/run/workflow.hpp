@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "breccia/schema.hpp"
+#include "config/base_chain.hpp"
 #include "engine/bonding.hpp"
 #include "plugin/registry.hpp"
 
@@ -76,5 +77,8 @@ LoadedWorkflow load_workflow(const std::filesystem::path& file, const std::vecto
 
 /// Names of the variants of a workflow file and its bases.
 std::vector<std::string> workflow_variants(const std::filesystem::path& file);
+
+/// The same of a chain whose plugins have been added, with the values of a study in it.
+LoadedWorkflow load_workflow(const BaseChain& chain, const ValuesOnTop& on_top, const Registry& registry);
 
 }  // namespace breccia

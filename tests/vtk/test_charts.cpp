@@ -64,6 +64,13 @@ class Charts : public ::testing::Test {
   std::vector<fs::path> render(const Json& settings = {{"size", 400}}) {
     return make<Renderer>(BRECCIA_PICTURES_PLUGIN, settings)->render({from_.path(), to_.path()}, host_);
   }
+  std::string study(StudyChart chart) {
+    chart.file = to_.path() / "study";
+    const auto made = make<Renderer>(BRECCIA_PICTURES_PLUGIN, Json{{"size", 400}})->chart(chart, host_);
+    EXPECT_EQ(made, (std::vector<fs::path>{to_.path() / "study.png", to_.path() / "study.svg"}));
+    EXPECT_GT(drawn(made.at(0)), 0.01);
+    return bytes(made.at(1));
+  }
   void table(const std::string& name, const std::string& text) {
     fs::create_directories(from_.path() / "tables");
     from_.file("tables/" + name + ".csv", text);
@@ -93,6 +100,31 @@ TEST_F(Charts, RunsAreDrawnOverEachOther) {
   EXPECT_EQ(curves[0].size(), 61u);
   EXPECT_NEAR(height(curves[0]) / height(curves[1]), 2, 1e-3);
   EXPECT_NE(svg.find("stroke-dasharray"), std::string::npos) << "black-and-white print";
+}
+
+TEST_F(Charts, OfAStudyMarkEveryPoint) {
+  const auto count = [](const std::string& text, const std::string& part) {
+    std::size_t n = 0;
+    for (auto at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++n;
+    return n;
+  };
+  StudyChart chart{{"ks/kn", "1"}, {"peak stress", "Pa"},
+                   {{"b = 0.1", {0.1, 0.2, 0.5}, {1e8, 2e8, 4e8}, true},
+                    {"b = 0.2", {0.1, 0.2, 0.5, 0.8}, {2e8, 3e8, 3e8, NAN}, true}}, {}};
+  std::string svg = study(chart);
+  for (const char* part : {">ks/kn<", ">peak stress (MPa)<", ">b = 0.1<", ">b = 0.2<"}) EXPECT_NE(svg.find(part), std::string::npos) << part;
+  const auto lines = shapes(svg, "<polyline");
+  ASSERT_EQ(lines.size(), 2u);
+  ASSERT_EQ(lines[0].size(), 3u);
+  EXPECT_EQ(lines[1].size(), 3u) << "what is not finite is not drawn";
+  EXPECT_NEAR((lines[0][2].y() - lines[0][0].y()) / (lines[0][1].y() - lines[0][0].y()), 3, 1e-2);
+  EXPECT_EQ(count(svg, "<circle"), 3u + 1) << "its points and the legend's";
+  chart.series = {{"", {1, 2, 2}, {1e8, 2e8, 4e8}, false}};
+  svg = study(chart);
+  EXPECT_EQ(count(svg, "<polyline"), 0u);
+  EXPECT_EQ(count(svg, "<circle"), 3u) << "a single series needs no legend";
+  chart.series = {{"", {1}, {1e8}, true}};
+  EXPECT_NE(user_error([&] { study(chart); }).find("fewer than two points"), std::string::npos);
 }
 
 TEST_F(Charts, TenRunsAreToldApart) {

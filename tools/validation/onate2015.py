@@ -4,6 +4,7 @@ import json
 
 from . import onate2015_experiments as study
 from .onate2015_figures import Figures
+from .onate2015_law import law
 from .report import Report, kept
 from .runs import Case, mean
 
@@ -53,6 +54,7 @@ def validate(runner, seeds):
     figures.envelope(report, "cement", [r for w in [*CEMENT, "cement_bts"] for r in runs[w][:1]])
     figures.envelope(report, "concrete", [r for w in [*CONCRETE, "concrete_bts"] for r in runs[w][:1]])
     cycles(report, figures, runs[CYCLIC])
+    law(report, runner, figures.folder)
     figures.contacts(report, [r for w in CEMENT for r in runs[w][:1]])
     figures.failed(report, runs)
     study.tables(report, runner, found, seeds[0], figures)

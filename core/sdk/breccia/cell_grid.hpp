@@ -40,8 +40,18 @@ class CellGrid {
     for (std::size_t p = 0; p < points.size(); ++p) members_[next[of[p]]++] = Index(p);
   }
 
+  /// The points, cell by cell.
+  std::span<const Index> members() const { return members_; }
+
   /// Calls f(q) for every point q that can be within the cutoff of x (x itself included if it is a point).
   template <class F> void for_each_near(const Vec3& x, F&& f) const {
+    for_each_run_near(x, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t m = begin; m < end; ++m) f(members_[m]);
+    });
+  }
+
+  /// The same, as ranges [begin, end) of `members()`.
+  template <class F> void for_each_run_near(const Vec3& x, F&& f) const {
     if (members_.empty()) return;
     std::size_t low[3], high[3];
     for (int k = 0; k < 3; ++k) {
@@ -52,11 +62,10 @@ class CellGrid {
       high[k] = std::size_t(std::min(last, at + 1));
     }
     for (std::size_t c = low[2]; c <= high[2]; ++c)
-      for (std::size_t b = low[1]; b <= high[1]; ++b)
-        for (std::size_t a = low[0]; a <= high[0]; ++a) {
-          const std::size_t cell = (c * count_[1] + b) * count_[0] + a;
-          for (std::size_t m = start_[cell]; m < start_[cell + 1]; ++m) f(members_[m]);
-        }
+      for (std::size_t b = low[1]; b <= high[1]; ++b) {
+        const std::size_t row = (c * count_[1] + b) * count_[0];
+        f(start_[row + low[0]], start_[row + high[0] + 1]);
+      }
   }
 
   /// Calls f(i, j) once for every pair i < j that can be within the cutoff; all partners of i before those of i + 1.

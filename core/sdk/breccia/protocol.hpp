@@ -35,8 +35,9 @@ class LoadControl {
   /// Holds the velocity components in `mask` (bits of `dof`) of a particle at the given values.
   virtual void hold(Index particle, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity) = 0;
   virtual void release(Index particle, std::uint8_t mask) = 0;
-  /// A force that presses on the particle's surface on the line through its centre; stays until set again [N].
-  virtual void set_applied_force(Index particle, const Vec3& force) = 0;
+  /// A force without torque; stays until set again [N]. `moment` says where it acts, for the mean stress: the sum over its
+  /// parts of (point - centre) (x) force [N m].
+  virtual void set_applied_force(Index particle, const Vec3& force, const Mat3& moment) = 0;
   /// The specimen is loaded along this coordinate direction; by default along the axis of its packing. Only in `setup`.
   /// Returns what it measures along that axis.
   virtual SpecimenShape set_specimen_axis(const Vec3& axis) = 0;

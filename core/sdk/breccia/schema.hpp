@@ -43,7 +43,8 @@ enum class ParamType {
   group_list,     ///< sequence of such mappings; JSON array
   plugin,         ///< mapping with `type: NAME` and that plugin's own parameters; JSON object with "type"
   plugin_list,
-  free_form       ///< any mapping, kept as it stands (reference values); JSON object
+  free_form,      ///< any mapping, kept as it stands (reference values); JSON object
+  text_list       ///< sequence of texts; JSON array
 };
 
 struct Bound {
@@ -109,6 +110,7 @@ template <class M> constexpr ParamType param_type() {
   else if constexpr (std::is_same_v<M, PluginChoice>) return ParamType::plugin;
   else if constexpr (std::is_same_v<M, std::vector<PluginChoice>>) return ParamType::plugin_list;
   else if constexpr (std::is_same_v<M, Json>) return ParamType::free_form;
+  else if constexpr (std::is_same_v<M, std::vector<std::string>>) return ParamType::text_list;
   else if constexpr (is_vector<M>::value) return ParamType::group_list;
   else return ParamType::group;
 }
@@ -251,7 +253,8 @@ template <class M> void detail::load_value(const Json& j, M& m) {
     Schema<M> s;
     M::describe(s);
     m = s.load(j);
-  } else if constexpr (is_vector<M>::value && !std::is_same_v<M, std::vector<double>>) {
+  } else if constexpr (is_vector<M>::value && !std::is_same_v<M, std::vector<double>> &&
+                       !std::is_same_v<M, std::vector<std::string>>) {
     m.clear();
     for (const Json& e : j) load_value(e, m.emplace_back());
   } else {

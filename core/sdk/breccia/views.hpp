@@ -33,7 +33,8 @@ struct SpecimenShape {
 struct ParticlesView {
   std::span<const Vec3> position, velocity, angular_velocity, initial_position;  // [m], [m/s], [rad/s], [m]
   std::span<const Vec3> force, torque;          ///< undamped resultants at the current positions [N], [N m]
-  std::span<const Vec3> applied_force;          ///< by the protocol, on the surface toward the centre [N]
+  std::span<const Vec3> applied_force;          ///< by the protocol [N]
+  std::span<const Mat3> applied_moment;         ///< of it: (point - centre) (x) force [N m]; empty when there is none
   std::span<const double> radius, mass;         // [m], [kg]
   std::span<const Index> id;                    ///< number in the packing
   std::size_t size() const { return radius.size(); }

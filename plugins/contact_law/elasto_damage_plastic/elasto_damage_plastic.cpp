@@ -33,23 +33,27 @@ struct Law {
         modulus(c.youngs_modulus),
         shear_ratio(0.5 / (1 + c.poisson_ratio)),
         damping(2 * c.contact_damping),
-        limit_strain(c.tensile_strength / c.youngs_modulus),
+        inverse_limit_strain(c.youngs_modulus / c.tensile_strength),
         shear_strength(c.shear_strength),
         internal_friction(c.internal_friction),
         friction(c.friction),
         soft_n(c.softening_tension),
         soft_s(c.softening_shear),
+        inverse_soft_n(1 / c.softening_tension),
+        inverse_soft_s(1 / c.softening_shear),
         coupling(c.failure == Failure::coupled ? 1.0 : 0.0) {
     if (c.compressive_limits) hardening = Hardening(modulus, *c.compressive_limits, *c.compressive_slope_ratios);
   }
 
   BRECCIA_KERNEL State initial(const Contact&) const { return {0, 0, 0, 0, 0, 0, 0, 0}; }
 
+  /// Divisions are most of the cost of a vector loop, so they are few: one denominator serves several quotients.
   BRECCIA_KERNEL ContactForce operator()(const Contact& c, State& s) const {
-    const double area = contact_area(c), ea = modulus * area, kn = ea / c.rest_length, ks = kn * shear_ratio;
+    const double inverse_rest = 1 / c.rest_length, area = contact_area(c);
+    const double ea = modulus * area, kn = ea * inverse_rest, ks = kn * shear_ratio;
     const bool intact = c.intact > 0.5;
 
-    const double strain = (c.distance - c.rest_length) / c.rest_length;
+    const double strain = (c.distance - c.rest_length) * inverse_rest;
     const double reached = hardening.plastic_strain(-strain);
     const double plastic = reached > s.plastic_strain ? reached : s.plastic_strain;
     const double elastic = strain + plastic, pulled = elastic > 0 ? elastic : 0.0,
@@ -58,20 +62,24 @@ struct Law {
     const PlaneVector old = follow_plane(c, s.spring_x, s.spring_y, s.spring_z);
     const double ux = old.x + c.shear_x, uy = old.y + c.shear_y, uz = old.z + c.shear_z;
     const double spring = std::sqrt(ux * ux + uy * uy + uz * uz), trial = ks * spring;
+    const double strength_s = shear_strength * area + internal_friction * pressed;
+    const double over_zero = trial > 1e-100 ? trial : 1.0, inverse_s = 1 / (strength_s * over_zero);
 
     // Displacement over that at the strength; coupled, the two add up to the distance from the joint failure line.
-    const double share_n = pulled / limit_strain,
-                 share_s = trial / (shear_strength * area + internal_friction * pressed);
+    const double share_n = pulled * inverse_limit_strain, share_s = trial * over_zero * inverse_s;
     const double load_n = share_n + coupling * share_s, load_s = share_s + coupling * share_n;
-    const double dn = grown(s.tension_damage, (load_n - 1) / soft_n, intact);
-    const double ds = grown(s.shear_damage, (load_s - 1) / soft_s, intact);
+    const double dn = grown(s.tension_damage, (load_n - 1) * inverse_soft_n, intact);
+    const double ds = grown(s.shear_damage, (load_s - 1) * inverse_soft_s, intact);
     const bool holds = intact & (dn < 1) & (ds < 1), broke = intact & !holds;
-    const double keep_n = secant(dn, soft_n), keep_s = secant(ds, soft_s);
+    const double over_n = 1 + soft_n * dn, over_s = 1 + soft_s * ds;
+    const double beyond_n = load_n > 1 ? load_n : 1.0, beyond_s = load_s > 1 ? load_s : 1.0;
+    const double over = over_n * over_s, beyond = beyond_n * beyond_s, inverse = 1 / (over * beyond);
+    const double keep_n = (1 - dn) * over_s * beyond * inverse, keep_s = (1 - ds) * over_n * beyond * inverse;
 
     const double limit = friction * pressed;
     const bool slides = !intact & (trial > limit);
     // A bond breaks in shear when its force has come down to zero: friction takes up from there.
-    const double keep = broke ? 0.0 : slides ? limit / (trial > 0 ? trial : 1.0) : 1.0;
+    const double keep = broke ? 0.0 : slides ? limit * strength_s * inverse_s : 1.0;
     s.spring_x = keep * ux;
     s.spring_y = keep * uy;
     s.spring_z = keep * uz;
@@ -79,7 +87,7 @@ struct Law {
 
     const double grip = elastic < 0 ? 1.0 : holds ? keep_n : 0.0;  // a gap has neither spring nor dashpot
     const double spring_force = grip * ea * elastic;
-    const double both = spring_force + grip * dashpot(c, area, kn) * c.normal_velocity;
+    const double both = spring_force + grip * dashpot(c, inverse_rest, kn) * c.normal_velocity;
     const double normal = holds | (both < 0) ? both : 0.0;  // without a bond the dashpot cannot pull
     const double viscous = normal - spring_force;
 
@@ -92,7 +100,7 @@ struct Law {
     // The triangle below peak and softening line, as far as the damage has gone, whatever the size of the step; and
     // what the direction that did not fail still holds when the bond goes.
     const double grown_n = dn - s.tension_damage, grown_s = ds - s.shear_damage;
-    const double peak_n = pulled / (load_n > 1 ? load_n : 1.0), peak_s = spring / (load_s > 1 ? load_s : 1.0);
+    const double peak_n = pulled * beyond_s * over * inverse, peak_s = spring * beyond_n * over * inverse;
     const double softened =
         (1 + soft_n) * ea * c.rest_length * peak_n * peak_n * grown_n + (1 + soft_s) * ks * peak_s * peak_s * grown_s;
     const double left = keep_n * ea * c.rest_length * pulled * pulled + keep_s * ks * spring * spring;
@@ -122,7 +130,7 @@ struct Law {
 
   BRECCIA_KERNEL ContactStiffness stiffness(const Contact& c) const {
     const double area = contact_area(c), kn = modulus * area / c.rest_length;
-    return {kn, kn * shear_ratio, 0, 0, dashpot(c, area, kn)};
+    return {kn, kn * shear_ratio, 0, 0, dashpot(c, 1 / c.rest_length, kn)};
   }
 
   Json derived() const { return {{"area_factor", area_factor}}; }
@@ -133,9 +141,9 @@ struct Law {
     return area_square * r * r + area_linear * r;
   }
   /// C_n of Eq. 30 [N s/m].
-  BRECCIA_KERNEL double dashpot(const Contact& c, double area, double kn) const {
-    const double r = c.radius_i < c.radius_j ? c.radius_i : c.radius_j;
-    return damping * area / (r * c.rest_length) * std::sqrt(c.reduced_mass * kn);
+  BRECCIA_KERNEL double dashpot(const Contact& c, double inverse_rest, double kn) const {
+    const double r = c.radius_i < c.radius_j ? c.radius_i : c.radius_j, area_over_r = area_square * r + area_linear;
+    return damping * area_over_r * inverse_rest * std::sqrt(c.reduced_mass * kn);
   }
   BRECCIA_KERNEL static double grown(double damage, double reached, bool intact) {
     const double at_most = reached < 1 ? reached : 1.0;
@@ -173,8 +181,8 @@ struct Law {
   double area_square, area_linear;  // alpha A = area_square r^2 + area_linear r; one of them is zero [1], [m]
   double modulus, shear_ratio;      // E [Pa], K_s/K_n
   double damping;                   // 2 xi [1]
-  double limit_strain, shear_strength, internal_friction, friction;  // sigma_t/E, tau [Pa], mu1, mu2
-  double soft_n, soft_s, coupling;                                   // delta_n, delta_s; 1 when coupled, else 0
+  double inverse_limit_strain, shear_strength, internal_friction, friction;  // E/sigma_t, tau [Pa], mu1, mu2
+  double soft_n, soft_s, inverse_soft_n, inverse_soft_s, coupling;  // delta_n, delta_s; 1 when coupled, else 0
   Hardening hardening;
 };
 

@@ -28,6 +28,7 @@ class BagiStrain final : public Postprocessor {
  public:
   struct Config {
     double hull_gap;
+    long min_bonds;
   };
   static void describe(Schema<Config>& s) {
     s.summary("Equivalent-continuum strain of the specimen, from the displacements of all particles")
@@ -41,6 +42,8 @@ class BagiStrain final : public Postprocessor {
     s.param("hull_gap", &Config::hull_gap).above(0).fallback(1.0)
         .doc("simplices on the outline that bridge a gap between two particles wider than this many mean particle "
              "diameters are left out, from outside inward");
+    s.param("min_bonds", &Config::min_bonds).at_least(0).at_most(12).fallback(0)
+        .doc("particles that have fewer bonds when the specimen is bonded do not count: loose ones on the surface move without it");
   }
 
   explicit BagiStrain(const Config& config) : config_(config) {}
@@ -61,7 +64,7 @@ class BagiStrain final : public Postprocessor {
   void start_of_loading(const SimulationView& view) override { refer(view); }
 
   void sample(const SimulationView& view, Recorder& recorder) override {
-    const Mat3 e = symmetric(mean_.gradient(view.particles.position));
+    const Mat3 e = symmetric(mean_.gradient(of_kept(view.particles.position, position_)));
     const double components[6] = {e(0, 0), e(1, 1), e(2, 2), e(0, 1), e(1, 2), e(2, 0)};
     for (std::size_t k = 0; k < 6; ++k) recorder.set(tensor_[k], components[k]);
     const RockStrain rock(e, view.specimen.axis, view.dimension);
@@ -73,8 +76,9 @@ class BagiStrain final : public Postprocessor {
   void fields(const SimulationView& view, std::vector<Field>& fields) override {
     Field axial{Field::On::particles, "axial_strain_local", "1", 1, {}};
     Field volumetric{Field::On::particles, "volumetric_strain_local", "1", 1, {}};
-    for (const Mat3& g : mean_.local_gradients(view.particles.position)) {
-      const RockStrain rock(symmetric(g), view.specimen.axis, view.dimension);
+    const std::vector<Mat3> gradients = mean_.local_gradients(of_kept(view.particles.position, position_));
+    for (const Index k : shown_as_) {
+      const RockStrain rock(symmetric(gradients[k]), view.specimen.axis, view.dimension);
       axial.values.push_back(rock.axial);
       volumetric.values.push_back(rock.volumetric);
     }
@@ -90,6 +94,7 @@ class BagiStrain final : public Postprocessor {
     summary.own("outline_simplices_left_out", r.peeled);
     summary.own("outline_volume_share_left_out", r.peeled_volume_share);
     summary.own("hidden_particles", r.hidden);
+    summary.own("loose_particles_left_out", shown_as_.size() - kept_.size());
     summary.own("boundary_particles", r.boundary);
     summary.own("triangulated_volume_m3", volume);
     const double specimen = view.specimen.volume;
@@ -100,15 +105,55 @@ class BagiStrain final : public Postprocessor {
   /// The reference is what the engine counts displacements from; it can only change at the start of loading.
   void refer(const SimulationView& view) {
     const ParticlesView& p = view.particles;
-    const auto now = p.initial_position, before = mean_.reference();
-    if (!before.empty() && std::equal(now.begin(), now.end(), before.begin(), before.end())) return;
+    const auto now = p.initial_position;
+    if (!reference_.empty() && std::equal(now.begin(), now.end(), reference_.begin(), reference_.end())) return;
+    reference_.assign(now.begin(), now.end());
     double mean_radius = 0;
     for (const double r : p.radius) mean_radius += r / double(p.size());
-    mean_ = MeanStrain(view.dimension, now, p.radius, config_.hull_gap * 2 * mean_radius);
+    choose(view);
+    std::vector<double> radius;
+    for (const Index k : kept_) radius.push_back(p.radius[k]);
+    mean_ = MeanStrain(view.dimension, of_kept(now, position_), radius, config_.hull_gap * 2 * mean_radius);
+  }
+
+  /// The particles that count, and for each particle the one whose local strain it shows: itself, or the nearest that counts.
+  void choose(const SimulationView& view) {
+    const ParticlesView& p = view.particles;
+    std::vector<long> bonds(p.size(), 0);
+    for (std::size_t k = 0; k < view.bonds.size(); ++k) {
+      ++bonds[view.bonds.i[k]];
+      ++bonds[view.bonds.j[k]];
+    }
+    kept_.clear();
+    shown_as_.assign(p.size(), 0);
+    for (Index k = 0; k < p.size(); ++k) {
+      if (bonds[k] < config_.min_bonds) continue;
+      shown_as_[k] = Index(kept_.size());
+      kept_.push_back(k);
+    }
+    if (kept_.size() <= std::size_t(view.dimension))
+      throw UserError("bagi_strain: hardly a particle has min_bonds bonds: lower it, or bond more neighbours");
+    for (Index k = 0; k < p.size(); ++k) {
+      if (bonds[k] >= config_.min_bonds) continue;
+      double least = 1e300;
+      for (std::size_t n = 0; n < kept_.size(); ++n) {
+        const double d = (p.initial_position[kept_[n]] - p.initial_position[k]).squaredNorm();
+        if (d < least) { least = d; shown_as_[k] = Index(n); }
+      }
+    }
+  }
+
+  std::span<const Vec3> of_kept(std::span<const Vec3> all, std::vector<Vec3>& into) const {
+    if (kept_.size() == all.size()) return all;
+    into.clear();
+    for (const Index k : kept_) into.push_back(all[k]);
+    return into;
   }
 
   Config config_;
   MeanStrain mean_;
+  std::vector<Index> kept_, shown_as_;
+  std::vector<Vec3> reference_, position_;
   std::array<std::size_t, 6> tensor_{};
   std::size_t axial_ = 0, lateral_ = 0, volumetric_ = 0;
 };

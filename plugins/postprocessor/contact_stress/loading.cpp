@@ -28,10 +28,7 @@ double axial_stress(const SimulationView& view) {
     sum += part(p.position[view.pairs.j[k]] - p.position[view.pairs.i[k]], Vec3(f.fx, f.fy, f.fz));
   }
   for (const WallContact& c : view.wall_contacts) sum += part(c.point - p.position[c.particle], c.force);
-  for (std::size_t k = 0; k < p.applied_force.size(); ++k) {
-    const double size = p.applied_force[k].norm();
-    if (size > 0) sum += part(-p.radius[k] / size * p.applied_force[k], p.applied_force[k]);
-  }
+  for (const Mat3& moment : p.applied_moment) sum += axis.dot(moment * axis);
   return -sum / view.specimen.volume;
 }
 

@@ -97,16 +97,6 @@ class Stress final : public Postprocessor {
   }
 
  private:
-  /// Calls f(particle, (point - centre) (x) force) for each applied force: it presses on the surface, toward the centre.
-  template <class F> static void for_each_applied(const SimulationView& view, F&& f) {
-    const ParticlesView& p = view.particles;
-    for (std::size_t k = 0; k < p.applied_force.size(); ++k) {
-      const Vec3& force = p.applied_force[k];
-      const double size = force.norm();
-      if (size > 0) f(Index(k), Mat3(-p.radius[k] / size * force * force.transpose()));
-    }
-  }
-
   /// Not symmetrised. In equilibrium equal to the sum over the boundary forces of position (x) force, over the volume:
   /// compression pushes against the branch vector, hence negative.
   static Mat3 average(const SimulationView& view) {
@@ -117,7 +107,7 @@ class Stress final : public Postprocessor {
       sum += (x[view.pairs.j[k]] - x[view.pairs.i[k]]) * Vec3(f.fx, f.fy, f.fz).transpose();
     }
     for (const WallContact& c : view.wall_contacts) sum += (c.point - x[c.particle]) * c.force.transpose();
-    for_each_applied(view, [&](Index, const Mat3& moment) { sum += moment; });
+    for (const Mat3& moment : view.particles.applied_moment) sum += moment;
     return sum / view.specimen.volume;
   }
 
@@ -136,7 +126,7 @@ class Stress final : public Postprocessor {
     }
     for (const WallContact& c : view.wall_contacts)
       stress[c.particle] += (c.point - p.position[c.particle]) * c.force.transpose();
-    for_each_applied(view, [&](Index particle, const Mat3& moment) { stress[particle] += moment; });
+    for (std::size_t k = 0; k < p.applied_moment.size(); ++k) stress[k] += p.applied_moment[k];
     for (std::size_t k = 0; k < stress.size(); ++k) stress[k] = symmetric(stress[k] / volume_of(p.radius[k], view));
     return stress;
   }

@@ -41,6 +41,10 @@ void draw_line(Painter& p, const ChartLine& line, const L& l) {
   }
   if (points.size() < 2) return;
   p.polyline(points, stroke_of(line.style, l.unit));
+  if (line.every_point) {
+    for (const Point& at : points) draw_marker(p, line.style.marker, at, size, line.style.colour);
+    return;
+  }
   double next = line.first_marker * distance;  // way to go
   for (std::size_t k = 1; k < points.size(); ++k) {
     const Point way = points[k] - points[k - 1];
@@ -102,7 +106,7 @@ void draw_axes(Painter& p, const Chart& chart, const L& l) {
 void draw_legend(Painter& p, const Chart& chart, const L& l, const Rgb& paper) {
   const double u = l.unit;
   std::size_t k = 0;
-  const std::size_t entries = chart.lines.size() + !chart.bars_label.empty();
+  const std::size_t entries = chart.legend_entries();
   const double depth = double((entries + l.legend.columns - 1) / l.legend.columns) * L::legend_row * u;
   const double right = l.legend.left + double(l.legend.columns) * l.legend.column_width, bottom = l.legend.top - depth;
   if (l.legend.inside && entries > 0)  // so that no grid lines run through the words
@@ -122,6 +126,7 @@ void draw_legend(Painter& p, const Chart& chart, const L& l, const Rgb& paper) {
     write(at, chart.bars_label);
   }
   for (const ChartLine& line : chart.lines) {
+    if (line.label.empty()) continue;
     const Point at = next(), middle = at + Point(0.5 * L::legend_symbol * u, 0);
     if (!line.points) p.line(at, at + Point(L::legend_symbol * u, 0), stroke_of(line.style, u));
     draw_marker(p, line.style.marker, middle, L::marker * u, line.style.colour);

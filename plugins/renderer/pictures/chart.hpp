@@ -11,11 +11,12 @@
 namespace breccia::pictures {
 
 struct ChartLine {
-  std::string label;
+  std::string label;             ///< empty: not in the legend
   std::vector<double> x, y;      ///< as shown: already in the units of the axes; what is not finite is left out
   LineStyle style;
   bool right_axis = false;
   bool points = false;           ///< markers instead of a line
+  bool every_point = false;      ///< markers at its points, not spaced along it
   double first_marker = 0;       ///< where the first marker along the line stands, as a share of their distance
 };
 
@@ -30,6 +31,12 @@ struct Chart {
   bool equal_scales = false;     ///< circles stay round: the height follows; without a right axis
   std::vector<ChartBar> bars;    ///< they stand on zero
   std::string bars_label;
+
+  std::size_t legend_entries() const {
+    std::size_t count = !bars_label.empty();
+    for (const ChartLine& line : lines) count += !line.label.empty();
+    return count;
+  }
 };
 
 /// One axis: where it begins and ends, at round numbers.

@@ -72,7 +72,11 @@ void place_legend(const Chart& chart, ChartLayout& l) {
   const double u = l.unit;
   double widest = text_width(chart.bars_label);
   for (const ChartLine& line : chart.lines) widest = std::max(widest, text_width(line.label));
-  const std::size_t entries = chart.lines.size() + !chart.bars_label.empty();
+  const std::size_t entries = chart.legend_entries();
+  if (entries == 0) {
+    l.legend = {0, 0, 1, 0, false};
+    return;
+  }
   const double width = (ChartLayout::legend_symbol + 3.5 + ChartLayout::legend_size * widest) * u;
   const double depth = double(entries) * ChartLayout::legend_row * u, gap = 1.2 * u;
   for (const bool low : {false, true})

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "comparison.hpp"
 
+#include <algorithm>
+
 #include "breccia/error.hpp"
 #include "chart_pictures.hpp"
 
@@ -62,7 +64,28 @@ Chart comparison_chart(const std::vector<LabelledCurves>& runs, const Comparison
   chart.left_title = up.title;
   for (std::size_t k = 0; k < which.size(); ++k)
     chart.lines.push_back({runs[which[k]].label, std::move(across.value[k]), std::move(up.value[k]),
-                           series_style(which[k]), false, false, double(k + 1) / double(which.size())});
+                           series_style(which[k]), false, false, false, double(k + 1) / double(which.size())});
+  return chart;
+}
+
+Chart study_chart(const StudyChart& study) {
+  double most_x = 0, most_y = 0;
+  for (const StudyChart::Series& s : study.series) {
+    most_x = std::max(most_x, largest(s.x));
+    most_y = std::max(most_y, largest(s.y));
+  }
+  const auto unit = [](const StudyChart::Axis& axis, double most) { return axis.unit == "1" ? ShownUnit{} : shown_unit(axis.unit, most); };
+  const ShownUnit across = unit(study.x, most_x), up = unit(study.y, most_y);
+  Chart chart;
+  chart.x_title = title(study.x.title, across.unit);
+  chart.left_title = title(study.y.title, up.unit);
+  for (std::size_t k = 0; k < study.series.size(); ++k) {
+    const StudyChart::Series& s = study.series[k];
+    LineStyle style = series_style(k);
+    if (style.marker == Marker::none) style.marker = Marker::circle;  // each point is a run and is marked as such
+    const bool alone = !s.joined || s.x.size() < 2;
+    chart.lines.push_back({s.label, scaled(s.x, across.factor), scaled(s.y, up.factor), style, false, alone, true});
+  }
   return chart;
 }
 

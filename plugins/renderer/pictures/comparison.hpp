@@ -2,7 +2,7 @@
 /// One quantity of several runs in one chart.
 #pragma once
 
-#include "breccia/schema.hpp"
+#include "breccia/renderer.hpp"
 #include "chart.hpp"
 #include "curves_file.hpp"
 
@@ -32,5 +32,8 @@ struct LabelledCurves {
 /// column's unit is not the same in all of them.
 Chart comparison_chart(const std::vector<LabelledCurves>& runs, const Comparison& comparison,
                        std::vector<std::string>& missing);
+
+/// A chart of a parameter study. UserError when there are fewer than two points.
+Chart study_chart(const StudyChart& study);
 
 }  // namespace breccia::pictures

@@ -177,6 +177,16 @@ class Pictures final : public Renderer {
     return made;
   }
 
+  std::vector<fs::path> chart(const StudyChart& study, Host&) override {
+    const Sheet sheet{int(config_.size), config_.background};
+    const Chart chart = study_chart(study);
+    layout_of(chart, sheet);
+    Canvas(16, 16, Vec3::Ones());
+    std::vector<fs::path> made;
+    write_chart(chart, sheet, study.file, made);
+    return made;
+  }
+
  private:
   static void check_names(const std::string& list, const std::vector<std::string>& names, Issues& issues) {
     for (std::size_t k = 0; k < names.size(); ++k) {

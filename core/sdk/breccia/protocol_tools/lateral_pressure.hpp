@@ -37,19 +37,22 @@ class LateralPressure {
     if (pressure == pressure_ && !stale_) return;
     pressure_ = pressure;
     stale_ = false;
+    const ParticlesView p = control.particles();
     forces_.clear();  // a particle on an edge has a cell on both faces
     applied_ = 0;
     for (const SurfaceCell& c : surface_.cells()) {
       const double size = pressure * (rule_ == PressureArea::voronoi ? c.area : c.disc);
       applied_ += size;
-      forces_.push_back({c.particle, size * c.inward});
+      forces_.push_back({c.particle, size * c.inward, -p.radius[c.particle] * size * c.inward * c.inward.transpose()});
     }
     std::sort(forces_.begin(), forces_.end(), [](const Force& a, const Force& b) { return a.particle < b.particle; });
     for (std::size_t k = 0; k < forces_.size();) {
-      Vec3 sum = Vec3::Zero();
-      const Index particle = forces_[k].particle;
-      for (; k < forces_.size() && forces_[k].particle == particle; ++k) sum += forces_[k].force;
-      control.set_applied_force(particle, sum);
+      Force sum = forces_[k];
+      for (++k; k < forces_.size() && forces_[k].particle == sum.particle; ++k) {
+        sum.force += forces_[k].force;
+        sum.moment += forces_[k].moment;
+      }
+      control.set_applied_force(sum.particle, sum.force, sum.moment);
     }
   }
 
@@ -64,6 +67,7 @@ class LateralPressure {
   struct Force {
     Index particle;
     Vec3 force;
+    Mat3 moment;
   };
   LateralSurface surface_;
   PressureArea rule_;

@@ -88,8 +88,13 @@ inline std::vector<double> voronoi_areas(const std::vector<SurfacePoint>& points
             if (other == k) continue;
             SurfacePoint away = points[other] - p;
             if (wraps) away.x() -= width * std::round(away.x() / width);
-            if (away.squaredNorm() > 1e-24 * (width * width + height * height)) cell.cut(away);
-            else covered = covered || other < k;
+            if (away.squaredNorm() <= 1e-24 * (width * width + height * height)) {
+              covered = covered || other < k;
+              continue;
+            }
+            cell.cut(away);
+            if (wraps && n < 64)  // so few that a cell may meet the same neighbour from both sides
+              for (const double turn : {-width, width}) cell.cut(away + SurfacePoint(turn, 0));
           }
         }
       }

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "config/each_value.hpp"
+
+#include <algorithm>
+
+#include "config/yaml_tree.hpp"
+
+namespace breccia {
+
+namespace {
+
+class Walk {
+ public:
+  using Visit = std::function<void(const ParamSpec&, const std::string&, Json&)>;
+  Walk(const PluginDirectory& plugins, const Visit& visit) : plugins_(plugins), visit_(visit) {}
+
+  void members(const ParamSpec& group, const std::string& path, Json& values) const {
+    for (const auto& [key, value] : values.items()) {
+      const auto spec =
+          std::find_if(group.members.begin(), group.members.end(), [&](const ParamSpec& m) { return m.name == key; });
+      if (spec != group.members.end()) member(*spec, member_path(path, key), values[key]);
+    }
+  }
+
+ private:
+  void member(const ParamSpec& spec, const std::string& path, Json& value) const {
+    switch (spec.type) {
+      case ParamType::group:
+        return members(spec, path, value);
+      case ParamType::plugin:
+        return plugin(spec, path, value);
+      case ParamType::group_list:
+        for (std::size_t k = 0; k < value.size(); ++k) members(spec, item_path(path, k), value[k]);
+        return;
+      case ParamType::plugin_list:
+        for (std::size_t k = 0; k < value.size(); ++k) plugin(spec, item_path(path, k), value[k]);
+        return;
+      default:
+        visit_(spec, path, value);
+    }
+  }
+  void plugin(const ParamSpec& spec, const std::string& path, Json& value) const {
+    if (value.is_object()) members(plugins_.documentation(spec.plugin_kind, value.at("type")).root, path, value);
+  }
+
+  const PluginDirectory& plugins_;
+  const Visit& visit_;
+};
+
+}  // namespace
+
+void each_value(Json& config, const ParamSpec& root, const PluginDirectory& plugins,
+                const std::function<void(const ParamSpec&, const std::string&, Json&)>& visit) {
+  Walk(plugins, visit).members(root, "", config);
+}
+
+}  // namespace breccia

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Which thread looks after which pairs and particles.
+#pragma once
+
+#include "engine/neighbours.hpp"
+#include "model/state.hpp"
+
+namespace breccia {
+
+/// What one thread does: whole chunks of pairs, and the particles whose rows begin there.
+struct Share {
+  std::size_t first_pair = 0, end_pair = 0;
+  Index first_particle = 0, end_particle = 0;
+  std::vector<Index> apart;  ///< those of the particles that have pairs of other shares too
+};
+
+/// A particle with all its pairs in one share is summed by that thread while the pair forces are in its registers and
+/// caches; a particle set apart, from the pair forces in memory, when all threads are through. Both add in the order of
+/// the pairs, so that who is apart, which depends on the number of threads, does not show.
+struct Partition {
+  std::vector<Share> shares;
+  std::vector<std::uint8_t> apart, chunk_apart;  ///< per particle; per chunk of pairs, when it has a pair of one
+};
+
+Partition make_partition(const State& state, const Incidence& incidence, int threads);
+
+}  // namespace breccia

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/sweep_cases.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include "config/each_value.hpp"
+#include "config/reader.hpp"
+#include "output/curve_table.hpp"
+#include "plugin/sha256.hpp"
+#include "run/plugin_section.hpp"
+#include "run/summary_keys.hpp"
+
+namespace breccia {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string hash_text(const std::string& text) { return sha256(std::as_bytes(std::span(text))); }
+
+/// The last part of a path, or all of it where another parameter ends in the same.
+std::string short_name(const std::vector<StudyParameter>& all, const std::string& path) {
+  const auto last = [](const std::string& p) { return split_path(p).back().name; };
+  const auto alike = std::count_if(all.begin(), all.end(), [&](const StudyParameter& p) { return last(p.path) == last(path); });
+  return alike == 1 ? last(path) : path;
+}
+
+std::string fit_for_a_name(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) || std::string_view("._+-=").find(c) != std::string_view::npos;
+    if (plain) out += c;
+    else if (out.empty() || out.back() != '_') out += '_';
+  }
+  while (!out.empty() && (out[0] == '.' || out[0] == '-')) out.erase(0, 1);
+  return out;
+}
+
+/// What was read from a file is what counts, not where it lies.
+Json content_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in || !fs::is_regular_file(file)) return file.string();
+  return hash_text({std::istreambuf_iterator<char>(in), {}});
+}
+
+std::string input_hash(Json config, const Registry& registry) {
+  for (const char* key : {"name", "description", "reference", "provenance", "plugins"}) config.erase(key);
+  each_value(config, workflow_schema(), registry, [](const ParamSpec& spec, const std::string&, Json& value) {
+    if (spec.type == ParamType::path) value = content_of(value.get<std::string>());
+  });
+  return hash_text(config.dump());
+}
+
+const Json* value_at(const Json& config, const std::vector<PathStep>& steps) {
+  const Json* at = &config;
+  for (const PathStep& step : steps) {
+    if (at->is_array()) {
+      const std::size_t index = std::strtoul(step.name.c_str(), nullptr, 10);
+      if (index >= at->size()) return nullptr;
+      at = &(*at)[index];
+    } else {
+      const auto it = at->find(step.name);
+      if (!at->is_object() || it == at->end()) return nullptr;
+      at = &*it;
+    }
+  }
+  return at;
+}
+
+std::string normal(const std::string& path) {
+  std::string out;
+  for (const PathStep& step : split_path(path)) out.append(out.empty() ? "" : ".").append(step.name);
+  return out;
+}
+
+}  // namespace
+
+Sweep::Sweep(const fs::path& file) : study_(load_study(file, Registry())) {
+  read_workflows();
+  name_cases();
+}
+
+void Sweep::read_workflows() {
+  std::vector<Finding> findings;
+  for (std::size_t k = 0; k < study_.workflow_files.size(); ++k) {
+    Source source{{}, std::make_unique<Registry>()};
+    try {
+      source.chain = follow_bases(read_text(study_.workflow_files[k]), study_.workflow_files[k]);
+      for (const fs::path& path : plugin_paths(source.chain)) source.registry->add(path);
+    } catch (const UserError& e) {
+      const std::string path = has_workflows() ? "workflows[" + std::to_string(k) + "].file" : "workflow";
+      findings.push_back({study_.workflow_places[k], path, e.what()});
+    }
+    sources_.push_back(std::move(source));
+  }
+  if (!findings.empty()) refuse(std::move(findings), {study_.file});
+}
+
+void Sweep::name_cases() {
+  std::set<std::string> names;
+  for (std::size_t p = 0; p < study_.points.size(); ++p)
+    for (std::size_t w = 0; w < sources_.size(); ++w) {
+      std::string name;
+      for (const PlacedValue& v : study_.points[p])
+        name.append(name.empty() ? "" : "_")
+            .append(short_name(study_.parameters, v.path))
+            .append("=")
+            .append(value_text(*v.value));
+      if (has_workflows()) name.append("_").append(study_.workflow_names[w]);
+      std::string folder = fit_for_a_name(name);
+      const bool is_long = folder.size() > 150;
+      if (is_long) folder.resize(130);
+      if (is_long || names.contains(folder)) folder.append("_").append(hash_text(name), 0, 12);
+      names.insert(folder);
+      cases_.push_back({cases_.size() + 1, p, w, folder});
+    }
+}
+
+const SweepCase& Sweep::find(const std::string& name) const {
+  for (const SweepCase& c : cases_)
+    if (std::to_string(c.number) == name || c.folder == name) return c;
+  throw UserError("the study has no case `" + name + "`: its cases are numbered from 1 to " + std::to_string(cases_.size()) +
+                  " (see --cases)");
+}
+
+ResolvedCase Sweep::resolve(const SweepCase& c) const {
+  const Source& source = sources_[c.workflow];
+  ValuesOnTop on_top{study_.file, study_.fixed};
+  const StudyPoint& point = study_.points[c.point];
+  on_top.values.insert(on_top.values.end(), point.begin(), point.end());
+  ResolvedCase resolved;
+  resolved.loaded = load_workflow(source.chain, on_top, *source.registry);
+  Json& config = resolved.loaded.config;
+  resolved.hash = input_hash(config, *source.registry);
+  for (const PlacedValue& v : point) {
+    const Json* value = value_at(config, split_path(v.path));
+    resolved.inputs.push_back(value ? *value : Json(value_text(*v.value)));
+    resolved.units.push_back("1");
+    const std::string wanted = normal(v.path);
+    each_value(config, workflow_schema(), *source.registry, [&](const ParamSpec& spec, const std::string& path, Json&) {
+      const std::string here = normal(path);
+      const bool is_quantity = spec.type == ParamType::quantity || spec.type == ParamType::quantity_list;
+      if (is_quantity && (here == wanted || wanted.starts_with(here + ".")) && resolved.inputs.back().is_number())
+        resolved.units.back() = spec.unit;
+    });
+  }
+  return resolved;
+}
+
+namespace {
+
+/// The problems of all cases, each once; what the study's own lines do not explain is told with its case.
+class Problems {
+ public:
+  Problems(const Sweep& sweep) : sweep_(sweep) {}
+
+  void add(const SweepCase& c, const ConfigError& e) {
+    for (const Problem& p : e.problems()) add(c, p.str(), p.file == sweep_.study().file.name);
+  }
+  void add(const SweepCase& c, const std::string& text, bool is_placed = false) {
+    const auto it = std::find_if(all_.begin(), all_.end(), [&](const auto& one) { return one.text == text; });
+    if (it == all_.end()) all_.push_back({text, c.folder, 1, is_placed});
+    else ++it->cases;
+  }
+  void refuse_any() const {
+    std::string text;
+    for (const auto& one : all_) {
+      text.append(text.empty() ? "" : "\n").append(one.text);
+      if (one.is_placed || one.cases == sweep_.cases().size()) continue;
+      text += " (in case " + one.first;
+      if (one.cases > 1) text += " and " + std::to_string(one.cases - 1) + (one.cases == 2 ? " other" : " others");
+      text += ")";
+    }
+    if (!all_.empty()) throw UserError(text);
+  }
+
+ private:
+  struct One {
+    std::string text, first;
+    std::size_t cases;
+    bool is_placed;
+  };
+  const Sweep& sweep_;
+  std::vector<One> all_;
+};
+
+}  // namespace
+
+SweepPlan plan(const Sweep& sweep) {
+  SweepPlan plan;
+  Problems problems(sweep);
+  std::map<std::pair<std::size_t, std::string>, std::size_t> seen;
+  const auto& parameters = sweep.study().parameters;
+  for (const SweepCase& c : sweep.cases()) {
+    try {
+      ResolvedCase resolved = sweep.resolve(c);
+      if (plan.input_units.empty()) plan.input_units = resolved.units;
+      for (std::size_t k = 0; k < parameters.size(); ++k)
+        if (plan.input_units[k] != resolved.units[k])
+          problems.add(c, "`" + parameters[k].path + "` is in " + plan.input_units[k] + " in one case and in " +
+                              resolved.units[k] + " in another: one column cannot hold both");
+      const auto [same, is_new] = seen.emplace(std::pair(c.workflow, resolved.hash), c.number);
+      if (!is_new) problems.add(c, "case " + std::to_string(c.number) + " is the same as case " + std::to_string(same->second));
+      plan.cases.push_back({c, std::move(resolved.inputs), std::move(resolved.hash)});
+    } catch (const ConfigError& e) { problems.add(c, e); } catch (const UserError& e) {
+      problems.add(c, e.what());
+    }
+  }
+  problems.refuse_any();
+  return plan;
+}
+
+std::vector<std::string> input_headers(const Sweep& sweep, const SweepPlan& plan) {
+  std::vector<std::string> names{"case", "folder"};
+  if (sweep.has_workflows()) names.push_back("workflow");
+  for (std::size_t k = 0; k < plan.input_units.size(); ++k)
+    names.push_back(header_name({sweep.study().parameters[k].path, plan.input_units[k], ""}));
+  return names;
+}
+
+std::vector<std::string> input_cells(const Sweep& sweep, const PlannedCase& planned) {
+  std::vector<std::string> cells{std::to_string(planned.the.number), planned.the.folder};
+  if (sweep.has_workflows()) cells.push_back(sweep.study().workflow_names[planned.the.workflow]);
+  for (const Json& v : planned.inputs) cells.push_back(v.is_string() ? v.get<std::string>() : v.dump());
+  return cells;
+}
+
+std::string cases_csv(const Sweep& sweep, const SweepPlan& plan) {
+  std::vector<std::string> header = input_headers(sweep, plan);
+  header.push_back("inputs_sha256");
+  std::string text = csv_line(header);
+  for (const PlannedCase& c : plan.cases) {
+    std::vector<std::string> cells = input_cells(sweep, c);
+    cells.push_back(c.hash);
+    text += csv_line(cells);
+  }
+  return text;
+}
+
+}  // namespace breccia
