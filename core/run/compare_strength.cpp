@@ -14,14 +14,14 @@ std::optional<Json> strength_envelope(const std::vector<ComparedRun>& runs) {
   for (const ComparedRun& run : runs)
     if (const auto strength = strength_of(run.summary)) {
       tests.push_back(*strength);
-      points.push_back({{"label", run.label}, {"minor_stress_Pa", strength->minor}, {"major_stress_Pa", strength->major},
-                        {"in_fit", strength->minor >= 0}});
+      points.push_back({{"label", run.label}, {"minor_stress_Pa", strength->sigma_3}, {"major_stress_Pa", strength->sigma_1},
+                        {"in_fit", strength->sigma_3 >= 0}});
     }
   const auto line = mohr_coulomb(tests);
   if (!line) return {};
   double largest = 0;
   for (const PrincipalStresses& t : tests)
-    if (t.minor >= 0) largest = std::max(largest, std::abs(t.major - line->uniaxial_strength - line->slope * t.minor));
+    if (t.sigma_3 >= 0) largest = std::max(largest, std::abs(t.sigma_1 - line->uniaxial_strength - line->slope * t.sigma_3));
   return Json{{"uniaxial_strength_Pa", line->uniaxial_strength}, {"slope", line->slope}, {"cohesion_Pa", line->cohesion()},
               {"friction_angle_rad", line->friction_angle()}, {"largest_deviation_Pa", largest}, {"tests", points}};
 }

@@ -239,12 +239,13 @@ TEST_F(Charts, ProfilesAreLinesOverTheMiddlesOfTheIntervals) {
 
 TEST_F(Charts, MohrCirclesAreRoundAndTheLineTouchesThem) {
   // On one line: sigma_1 = 20 MPa + 4 sigma_3, hence c = 5 MPa and sin(phi) = 0.6.
-  const std::pair<double, double> tests[] = {{0, 20e6}, {10e6, 60e6}};
-  for (const auto& [minor, major] : tests) {
-    const std::string name = "at " + std::to_string(int(minor * 1e-6));
-    run(name, major);
-    from_.file(name + "/summary.json", Json{{"a_test", {{"peak_platen_stress_Pa", major}, {"peak_deviatoric_platen_stress_Pa", major - minor}}}}.dump());
-  }
+  const auto test = [&](const std::string& name, double confining, double axial) {
+    run(name, axial);
+    const Json summary = {{"a_test", {{"peak_platen_stress_Pa", axial}, {"peak_deviatoric_platen_stress_Pa", axial - confining}}}};
+    from_.file(name + "/summary.json", summary.dump());
+  };
+  test("at 0", 0, 20e6);
+  test("at 10", 10e6, 60e6);
   compare();
   const std::string svg = bytes(to_.path() / "strength_envelope.svg");
   for (const char* part : {"c = 5 MPa, φ = 36.9°", ">at 0<", ">at 10<", "normal stress σ (MPa)"}) EXPECT_NE(svg.find(part), std::string::npos) << part;

@@ -14,7 +14,7 @@ namespace breccia {
 
 /// At failure, compression positive [Pa].
 struct PrincipalStresses {
-  double minor, major;
+  double sigma_3, sigma_1;
 };
 
 /// From a summary: of a test between platens the stresses at the peak of the deviator; of a Brazilian test those in the
@@ -46,20 +46,20 @@ struct MohrCoulomb {
 inline std::optional<MohrCoulomb> mohr_coulomb(const std::vector<PrincipalStresses>& tests) {
   double n = 0, x = 0, y = 0, largest = 0;
   for (const PrincipalStresses& t : tests) {
-    if (t.minor < 0) continue;
+    if (t.sigma_3 < 0) continue;
     ++n;
-    x += t.minor;
-    y += t.major;
-    largest = std::max(largest, t.major);
+    x += t.sigma_3;
+    y += t.sigma_1;
+    largest = std::max(largest, t.sigma_1);
   }
   if (n < 2) return {};
   x /= n;
   y /= n;
   double xx = 0, xy = 0;
   for (const PrincipalStresses& t : tests) {
-    if (t.minor < 0) continue;
-    xx += (t.minor - x) * (t.minor - x);
-    xy += (t.minor - x) * (t.major - y);
+    if (t.sigma_3 < 0) continue;
+    xx += (t.sigma_3 - x) * (t.sigma_3 - x);
+    xy += (t.sigma_3 - x) * (t.sigma_1 - y);
   }
   if (!(xx > 1e-6 * largest * largest) || !(xy > 0)) return {};
   return MohrCoulomb{y - xy / xx * x, xy / xx};

@@ -29,7 +29,7 @@ std::optional<Chart> strength_envelope_chart(const std::vector<ComparisonRequest
   const auto line = mohr_coulomb(tests);
   if (!line) return {};
   double most = 0;
-  for (const PrincipalStresses& t : tests) most = std::max(most, t.major);
+  for (const PrincipalStresses& t : tests) most = std::max(most, t.sigma_1);
   const ShownUnit unit = shown_unit("Pa", most);
   Chart chart;
   chart.equal_scales = true;
@@ -38,7 +38,7 @@ std::optional<Chart> strength_envelope_chart(const std::vector<ComparisonRequest
   double farthest = 0;  // where the line touches the last circle
   const double sine = std::sin(line->friction_angle()), tangent = std::tan(line->friction_angle());
   for (std::size_t k = 0; k < tests.size(); ++k) {
-    const double middle = 0.5 * (tests[k].minor + tests[k].major), radius = 0.5 * (tests[k].major - tests[k].minor);
+    const double middle = 0.5 * (tests[k].sigma_3 + tests[k].sigma_1), radius = 0.5 * (tests[k].sigma_1 - tests[k].sigma_3);
     farthest = std::max(farthest, middle);
     ChartLine circle{runs[which[k]].label, {}, {}, series_style(which[k]), false, false, double(k + 1) / double(tests.size())};
     for (int step = 0; step <= 90; ++step) {
@@ -50,7 +50,7 @@ std::optional<Chart> strength_envelope_chart(const std::vector<ComparisonRequest
   }
   // From the apex, no further left than the circles need, to where the largest circle has its top.
   double low = 0;
-  for (const PrincipalStresses& t : tests) low = std::min(low, t.minor);
+  for (const PrincipalStresses& t : tests) low = std::min(low, t.sigma_3);
   if (sine > 0) low = std::max(low, -line->cohesion() / tangent);
   const auto height = [&](double at) { return (line->cohesion() + tangent * at) * unit.factor; };
   chart.lines.push_back({"c = " + significant(line->cohesion() * unit.factor, 3) + " " + unit.unit + ", φ = " +
