@@ -122,10 +122,15 @@ std::vector<fs::path> compare_runs(const std::vector<ComparedRun>& runs, const C
   if (error) throw UserError("cannot make the folder " + options.folder.string() + ": " + error.message());
   try {
     std::vector<fs::path> made = draw(runs, options, registry, host);
-    const std::string text = comparison_markdown(runs, made);
+    const auto envelope = strength_envelope(runs);
+    const std::string text = comparison_markdown(runs, made) + (envelope ? strength_markdown(*envelope) : "");
     write_file(options.folder / "comparison.csv", comparison_csv(runs));
     write_file(options.folder / "comparison.md", text);
     made.insert(made.begin(), {options.folder / "comparison.csv", options.folder / "comparison.md"});
+    if (envelope) {
+      write_file(options.folder / "strength_envelope.json", envelope->dump(2) + "\n");
+      made.insert(made.begin() + 2, options.folder / "strength_envelope.json");
+    }
     return made;
   } catch (...) {
     if (is_new) fs::remove(options.folder, error);  // only when nothing was put into it

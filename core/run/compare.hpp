@@ -31,6 +31,11 @@ std::string comparison_csv(const std::vector<ComparedRun>& runs);
 /// distance in per cent; `charts` are shown below.
 std::string comparison_markdown(const std::vector<ComparedRun>& runs, const std::vector<std::filesystem::path>& charts);
 
+/// The Mohr-Coulomb line through the strengths of runs at different confining pressures, with the runs that have one: see
+/// breccia/strength.hpp. None when there are not two such pressures.
+std::optional<Json> strength_envelope(const std::vector<ComparedRun>& runs);
+std::string strength_markdown(const Json& envelope);
+
 struct ComparisonOptions {
   std::filesystem::path folder;         ///< of the files made
   bool overwrite = false;               ///< it may hold files already: those of the same names are replaced

@@ -109,5 +109,33 @@ TEST_F(Compare, WhatIsNoFinishedRunIsNamed) {
   expect_refused("-o out", "DIR");
 }
 
+/// sigma_1 = 20 MPa + 4 sigma_3: c = 5 MPa, sin(phi) = 0.6. The tensile test and the one in a rigid cell are not fitted.
+TEST_F(Compare, StrengthEnvelope) {
+  const auto test = [](double minor, double major, const char* more = "") {
+    return R"({"protocol_x": {"peak_platen_stress_Pa": )" + std::to_string(major) + R"(, "peak_deviatoric_platen_stress_Pa": )" +
+           std::to_string(major - minor) + more + "}}";
+  };
+  add("ucs", test(0, 20e6));
+  add("t5", test(5e6, 40e6));
+  add("t10", test(10e6, 60e6));
+  add("cell", test(1e6, 99e6, R"(, "cell_pressure_at_end_Pa": 1e6)"));
+  add("disc", R"({"brazilian_tensile_strength_Pa": 3e6})");
+  ASSERT_EQ(call("ucs t5 t10 cell disc a -o out").substr(0, 2), "0:");
+  const auto json = nlohmann::json::parse(made("strength_envelope.json"));
+  EXPECT_NEAR(json["uniaxial_strength_Pa"].get<double>(), 20e6, 1);
+  EXPECT_NEAR(json["cohesion_Pa"].get<double>(), 5e6, 1);
+  EXPECT_NEAR(std::sin(json["friction_angle_rad"].get<double>()), 0.6, 1e-9);
+  ASSERT_EQ(json["tests"].size(), 4u);
+  EXPECT_EQ(json["tests"][3]["label"], "disc");
+  EXPECT_EQ(json["tests"][3]["minor_stress_Pa"], -3e6);
+  EXPECT_EQ(json["tests"][3]["major_stress_Pa"], 9e6);
+  EXPECT_EQ(json["tests"][3]["in_fit"], false);
+  const std::string text = made("comparison.md");
+  EXPECT_NE(text.find("sigma_1 = 20 MPa + 4 sigma_3: cohesion 5 MPa, angle of friction 36.9°"), std::string::npos) << text;
+  EXPECT_NE(text.find("| t5 | 5 | 40 |"), std::string::npos) << text;
+  ASSERT_EQ(call("ucs disc a -o flat").substr(0, 2), "0:");
+  EXPECT_FALSE(fs::exists(folder_ / "flat/strength_envelope.json"));
+}
+
 }  // namespace
 }  // namespace breccia::testing

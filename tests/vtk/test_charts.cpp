@@ -221,5 +221,59 @@ TEST_F(Charts, OtherTablesAreLeftAloneAndDamagedOnesNamed) {
   EXPECT_NE(host_.warnings[0].find("histogram_torn.csv, line 2: 3 values for 4 columns"), std::string::npos) << host_.warnings[0];
 }
 
+/// Means by direction, one column empty where nothing was counted: a line each, of the family of the last column alone.
+TEST_F(Charts, ProfilesAreLinesOverTheMiddlesOfTheIntervals) {
+  table("by_angle", "angle_from_rad,angle_to_rad,contacts,ratio_all,ratio_tensile\n0,0.5235987756,5,0.2,0.1\n"
+                    "0.5235987756,1.0471975512,7,0.4,0.1\n1.0471975512,1.5707963268,9,0.6,\n");
+  ASSERT_EQ(render().size(), 2u);
+  const std::string svg = bytes(to_.path() / "by_angle.svg");
+  for (const char* part : {">all<", ">tensile<", "angle (°)", ">ratio<"}) EXPECT_NE(svg.find(part), std::string::npos) << part;
+  EXPECT_EQ(svg.find("contacts"), std::string::npos);
+  const auto lines = shapes(svg, "<polyline");
+  ASSERT_EQ(lines.size(), 1u) << "the other has two points: a <line>";
+  ASSERT_EQ(lines[0].size(), 3u);
+  EXPECT_NEAR(lines[0][2].x() - lines[0][1].x(), lines[0][1].x() - lines[0][0].x(), 0.02);
+  EXPECT_NEAR(lines[0][2].y() - lines[0][1].y(), lines[0][1].y() - lines[0][0].y(), 0.02);
+  EXPECT_GT(lines[0][2].y(), lines[0][0].y());
+}
+
+TEST_F(Charts, MohrCirclesAreRoundAndTheLineTouchesThem) {
+  // On one line: sigma_1 = 20 MPa + 4 sigma_3, hence c = 5 MPa and sin(phi) = 0.6.
+  const auto test = [&](const std::string& name, double confining, double axial) {
+    run(name, axial);
+    const Json summary = {{"a_test", {{"peak_platen_stress_Pa", axial}, {"peak_deviatoric_platen_stress_Pa", axial - confining}}}};
+    from_.file(name + "/summary.json", summary.dump());
+  };
+  test("at 0", 0, 20e6);
+  test("at 10", 10e6, 60e6);
+  compare();
+  const std::string svg = bytes(to_.path() / "strength_envelope.svg");
+  for (const char* part : {"c = 5 MPa, φ = 36.9°", ">at 0<", ">at 10<", "normal stress σ (MPa)"}) EXPECT_NE(svg.find(part), std::string::npos) << part;
+  const auto circles = shapes(svg, "<polyline");
+  ASSERT_EQ(circles.size(), 2u);
+  for (const auto& c : circles) {
+    ASSERT_EQ(c.size(), 91u);
+    EXPECT_NEAR(c[45].y() - c[0].y(), 0.5 * (c[90].x() - c[0].x()), 0.03) << "as high as its radius";
+  }
+  EXPECT_NEAR((circles[1][90].x() - circles[1][0].x()) / (circles[0][90].x() - circles[0][0].x()), 2.5, 0.01);
+  // The tangent at the angle 90° - phi from the left of each circle lies on the line: compare both tangent points' slope.
+  const double turn = std::numbers::pi / 2 - std::asin(0.6);
+  const auto tangent = [&](const auto& c) {
+    const double radius = 0.5 * (c[90].x() - c[0].x());
+    return Eigen::Vector2d(c[0].x() + radius * (1 - std::cos(turn)), c[0].y() + radius * std::sin(turn));
+  };
+  const Eigen::Vector2d way = tangent(circles[1]) - tangent(circles[0]);
+  EXPECT_NEAR(way.y() / way.x(), 0.75, 1e-3);
+}
+
+TEST_F(Charts, WithoutTwoConfiningPressuresThereIsNoEnvelope) {
+  for (const char* name : {"a", "b"}) {
+    run(name, 3e7);
+    from_.file(std::string(name) + "/summary.json", R"({"a_test": {"peak_platen_stress_Pa": 3e7, "peak_deviatoric_platen_stress_Pa": 3e7}})");
+  }
+  compare();
+  EXPECT_FALSE(fs::exists(to_.path() / "strength_envelope.svg"));
+}
+
 }  // namespace
 }  // namespace breccia::test

@@ -19,10 +19,11 @@ class Case:
     settings: tuple = ()          # "path=value"
     label: str = ""               # of an experiment
     pictures: bool = False
+    variant: str = ""             # of the workflow
 
     @property
     def name(self):
-        return "_".join(filter(None, [pathlib.Path(self.workflow).name, self.label, f"seed{self.seed}"]))
+        return "_".join(filter(None, [pathlib.Path(self.workflow).name, self.variant, self.label, f"seed{self.seed}"]))
 
 
 @dataclass
@@ -52,11 +53,17 @@ class Result:
                             for head, values in zip(rows[0], zip(*rows[1:]))}
         return self._curves[name]
 
+    def has_curve(self, name):
+        self.curve("time_s")
+        return name in self._curves
+
 
 class Runner:
-    def __init__(self, root, folder, jobs, keep):
+    def __init__(self, root, folder, jobs, keep, only="", report=False, variant="", program=None):
         self.root, self.folder, self.jobs, self.keep = root, folder, jobs, keep
-        self.program = root / "build/bin/breccia"
+        self.only, self.report, self.variant = only, report, variant
+        self.missing = []             # names of the cases that were neither run nor there
+        self.program = program or root / "build/bin/breccia"
         if not self.program.exists():
             sys.exit("build Breccia first: tools/quickstart")
 
@@ -67,27 +74,38 @@ class Runner:
             sys.exit(f"breccia {arguments[0]} failed:\n{done.stdout}{done.stderr}")
 
     def run(self, cases):
-        """Results by case, in the order of the cases; a failed run ends it all, with its log."""
+        """Results in the order of the cases; a failed run ends it all, with its log. Of a part (`only`), or when no runs are
+        to be made (`report`), the others are read if they are finished, or else missing."""
         start = time.time()
         results = {}
         self.folder.mkdir(parents=True, exist_ok=True)
         with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
-            waiting = {pool.submit(self._run, case): case for case in cases}
+            possible = [c for c in dict.fromkeys(cases) if not self.report and self._is_wanted(c) or self._is_finished(c)]
+            waiting = {pool.submit(self._run, case): case for case in possible}
             for done in concurrent.futures.as_completed(waiting):
                 result = done.result()
                 if result is None:
                     pool.shutdown(cancel_futures=True)
                     sys.exit(f"{waiting[done].name} failed: see {self.folder / (waiting[done].name + '.log')}")
                 results[result.case] = result
-                print(f"[{time.time() - start:6.0f} s] {len(results)}/{len(waiting)} {result.case.name}", flush=True)
-        return [results[c] for c in cases]
+                if not self.report and self._is_wanted(result.case):
+                    print(f"[{time.time() - start:6.0f} s] {len(results)}/{len(waiting)} {result.case.name}", flush=True)
+        self.missing += [c.name for c in cases if c not in results]
+        return [results[c] for c in cases if c in results]
+
+    def _is_wanted(self, case):
+        return not self.only or any(part in case.name for part in self.only.split(","))
+
+    def _is_finished(self, case):
+        return (self.folder / case.name / "summary.json").exists()
 
     def _run(self, case):
         folder = self.folder / case.name
-        if not (self.keep and (folder / "summary.json").exists()):
+        wanted = not self.report and self._is_wanted(case)
+        if wanted and not (self.keep and self._is_finished(case)):
             settings = list(case.settings) if case.pictures else [*case.settings, "outputs=[]", "renderers=[]"]
             command = [self.program, "run", self.root / f"workflows/{case.workflow}.yaml", "--output", folder, "--overwrite",
-                       "--threads", "1", "--set", f"seed={case.seed}"]
+                       "--threads", "1", "--set", f"seed={case.seed}"] + (["--variant", case.variant] if case.variant else [])
             for s in settings:
                 command += ["--set", s]
             with open(self.folder / (case.name + ".log"), "w") as log:

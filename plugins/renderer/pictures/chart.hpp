@@ -28,6 +28,7 @@ struct Chart {
   std::string x_title, left_title, right_title;  ///< without a right title there is no right axis
   std::vector<ChartLine> lines;
   bool right_from_zero = false;
+  bool equal_scales = false;     ///< circles stay round: the height follows; without a right axis
   std::vector<ChartBar> bars;    ///< they stand on zero
   std::string bars_label;
 

@@ -135,6 +135,11 @@ ChartLayout layout_of(const Chart& chart, const Sheet& sheet) {
   l.right = l.width - (chart.right_title.empty() ? 5 : 10 + label_width(l.right_axis.ticks)) * l.unit;
   l.bottom = 14 * l.unit;
   l.top = l.height - 4 * l.unit;
+  if (chart.equal_scales) {
+    const double wide = l.right - l.left, ratio = (l.left_axis.high - l.left_axis.low) / (l.x_axis.high - l.x_axis.low);
+    l.top = l.bottom + wide * ratio;
+    l.height = l.top + 4 * l.unit;
+  }
   l.writing = writing_on(sheet.background);
   place_legend(chart, l);
   return l;

@@ -7,6 +7,7 @@
 #include "chart_pictures.hpp"
 #include "comparison.hpp"
 #include "scene_pictures.hpp"
+#include "strength_chart.hpp"
 #include "table_pictures.hpp"
 
 namespace breccia {
@@ -32,7 +33,7 @@ struct PictureConfig {
         .choice("displacement", Motif::displacement, "the particles, coloured by the magnitude of their displacement")
         .choice("stress_strain", Motif::stress_strain, "axial stress and damage against axial strain, .png and .svg")
         .choice("strains", Motif::strains, "lateral and volumetric strain against axial strain, .png and .svg")
-        .choice("tables", Motif::tables, "histograms and roses of the run's tables, if any: <table>.png and .svg each")
+        .choice("tables", Motif::tables, "histograms, roses and profiles of the run's tables, if any: <table>.png and .svg each")
         .doc("what the picture shows");
     s.param("name", &PictureConfig::name)
         .example("inside")
@@ -69,6 +70,7 @@ class Pictures final : public Renderer {
     Vec3 background;
     CurveNames columns;
     std::optional<std::vector<Comparison>> comparisons;
+    bool strength_envelope;
   };
 
   static void describe(Schema<Config>& s) {
@@ -100,12 +102,17 @@ class Pictures final : public Renderer {
     s.param("comparisons", &Config::comparisons).items(1, 1000)
         .doc("what `breccia compare` draws of several runs; if absent `stress_strain`, `broken_tension`, `broken_shear` and "
              "`global_damage` over the axial strain, as far as the runs have these columns");
+    s.param("strength_envelope", &Config::strength_envelope).fallback(true)
+        .doc("`breccia compare` of tests at different confining pressures also draws their Mohr circles at failure and the Mohr-Coulomb line");
     s.check([](const Config& c, Issues& issues) {
       std::vector<std::string> pictures, comparisons;
       for (const PictureConfig& p : c.pictures) pictures.push_back(file_name(p));
       for (const Comparison& k : c.comparisons.value_or(std::vector<Comparison>{})) comparisons.push_back(k.file_name());
       check_names("pictures", pictures, issues);
       check_names("comparisons", comparisons, issues);
+      for (std::size_t k = 0; k < comparisons.size(); ++k)
+        if (c.strength_envelope && comparisons[k] == "strength_envelope")
+          issues.push_back({"comparisons[" + std::to_string(k) + "]", "`strength_envelope` is drawn, too: choose another `name`"});
     });
   }
 
@@ -160,6 +167,8 @@ class Pictures final : public Renderer {
         host.warn("chart `" + c.file_name() + "` is without `" + label + "`, which lacks the column `" + c.x +
                   "` or `" + c.y + "`");
     }
+    if (config_.strength_envelope)
+      if (auto envelope = strength_envelope_chart(request.runs)) charts.emplace_back("strength_envelope", std::move(*envelope));
     std::vector<fs::path> made;
     for (const auto& [name, chart] : charts) {
       if (host.cancelled()) throw Cancelled();
@@ -248,6 +257,7 @@ class Pictures final : public Renderer {
         const CurvesFile table(file);
         if (is_rose(table)) write_rose(rose_of(table, name), sheet, directory / name, made);
         else if (is_histogram(table)) write_chart(histogram_chart(table, name), sheet, directory / name, made);
+        else if (is_profile(table)) write_chart(profile_chart(table, name), sheet, directory / name, made);
       } catch (const UserError& e) {
         problems.append(problems.empty() ? "" : "; ").append(name + ": " + e.what());
       }

@@ -2,6 +2,7 @@
 #include "table_pictures.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "breccia/error.hpp"
 #include "chart_pictures.hpp"
@@ -64,6 +65,40 @@ Chart histogram_chart(const CurvesFile& table, const std::string& name) {
     if (std::isfinite(from.value[k]) && std::isfinite(to.value[k]) && std::isfinite(fraction.value[k]))
       chart.bars.push_back({from.value[k] * unit.factor, to.value[k] * unit.factor, 100 * fraction.value[k]});
   if (chart.bars.empty()) throw UserError("the table has no intervals to draw");
+  return chart;
+}
+
+bool is_profile(const CurvesFile& table) {
+  const auto& c = table.all();
+  const auto is = [](const std::string& name, const std::string& what) { return name == what || name.ends_with("_" + what); };
+  return c.size() > 2 && is(c[0].name, "from") && is(c[1].name, "to") && !is_histogram(table) && !is_rose(table);
+}
+
+Chart profile_chart(const CurvesFile& table, const std::string& name) {
+  const auto& columns = table.all();
+  const Curve &from = columns[0], &to = columns[1], &last = columns.back();
+  const bool is_angle = from.unit == "rad";
+  const ShownUnit across = is_angle ? ShownUnit{180 / std::numbers::pi, "°"} : shown_unit(from.unit, largest(to.value));
+  std::string quantity = from.name;
+  if (quantity.ends_with("_from")) quantity.resize(quantity.size() - 5);
+  const std::string family = last.name.substr(0, last.name.find('_'));
+  Chart chart;
+  chart.x_title = title(quantity == "from" ? without("profile_", name) : quantity, across.unit);
+  std::vector<double> middle;
+  for (std::size_t k = 0; k < from.value.size(); ++k) middle.push_back(0.5 * (from.value[k] + to.value[k]) * across.factor);
+  double most = 0;
+  std::vector<const Curve*> lines;
+  for (std::size_t k = 2; k < columns.size(); ++k)
+    if (columns[k].unit == last.unit && (columns[k].name == family || columns[k].name.starts_with(family + "_"))) {
+      lines.push_back(&columns[k]);
+      most = std::max(most, largest(columns[k].value));
+    }
+  const ShownUnit up = last.unit.empty() ? ShownUnit{} : shown_unit(last.unit, most);
+  chart.left_title = title(family, up.unit);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const std::string label = title(lines[k]->name == family ? family : lines[k]->name.substr(family.size() + 1), "");
+    chart.lines.push_back({label, middle, scaled(lines[k]->value, up.factor), series_style(k), false, false, double(k + 1) / double(lines.size())});
+  }
   return chart;
 }
 

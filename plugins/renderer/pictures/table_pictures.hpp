@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The charts made of the tables of a run: histograms and roses of directions.
+/// The charts made of the tables of a run: histograms, roses of directions, and profiles.
 #pragma once
 
 #include "chart.hpp"
@@ -14,6 +14,11 @@ Chart histogram_chart(const CurvesFile& table, const std::string& name);
 
 /// A table that begins with `angle_from_rad`, `angle_to_rad` and has `count` and `fraction`.
 bool is_rose(const CurvesFile& table);
+
+/// Another table that begins with an interval, `from` and `to` or names that end in these: a line chart over the middles of
+/// the intervals of those columns whose names begin as the last one's does, up to its first underscore.
+bool is_profile(const CurvesFile& table);
+Chart profile_chart(const CurvesFile& table, const std::string& name);
 
 /// A histogram in polar coordinates: a sector for each interval of angles, its radius the fraction.
 struct Rose {
