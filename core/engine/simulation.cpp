@@ -58,6 +58,11 @@ void Simulation::rebuild() {
   chunk_contact_.assign(chunks, 0);
   chunk_fracture_.assign(chunks, 0);
   chunk_broke_.assign(chunks, 0);
+  if (const auto& guarded = state_.bonds.guarded; !guarded.empty()) {
+    guarded_pairs_.assign(state_.pairs.size(), 0);
+    for (std::size_t k = 0; k < state_.pairs.size(); ++k)
+      if (const Index b = state_.pairs.bond[k]; b != PairsView::no_bond) guarded_pairs_[k] = guarded[b];
+  }
   // Rows that no wall touches any more go back to the applied force alone.
   external_force_ = state_.particles.applied_force;
   external_torque_.assign(state_.particles.size(), Vec3::Zero());
@@ -84,6 +89,7 @@ void Simulation::forces(bool to_be_viewed) {
   all.contact_work = chunk_contact_.data();
   all.fracture_energy = chunk_fracture_.data();
   all.chunk_broke = chunk_broke_.data();
+  if (!guarded_pairs_.empty()) all.guarded = guarded_pairs_.data();
   all.sum_force = s.particles.force.data();
   all.sum_torque = s.particles.torque.data();
   all.apart = partition_.apart.data();
@@ -220,6 +226,16 @@ void Simulation::mark_start_of_loading() {
   state_.specimen = measure_specimen(state_.particles.position, state_.particles.radius, old.outline, old.axis, state_.dimension,
                                      state_.thickness, old.volume);
   loading_started_ = true;
+}
+
+void Simulation::protect_bond(Index bond) {
+  if (!law_.respects_protection())
+    throw UserError("this test protects some bonds from breaking, and the contact law does not support that: protect no bonds, or "
+                    "use a law that has `respects_protection`");
+  Bonds& b = state_.bonds;
+  BRECCIA_ASSERT(bond < b.size() && rebuilds_ == 0);
+  b.guarded.resize(b.size(), 0);
+  b.guarded[bond] = 1;
 }
 
 std::size_t Simulation::add_wall(const WallSpec& w) {

@@ -48,6 +48,7 @@ class Simulation final : public LoadControl {
   void set_applied_force(Index particle, const Vec3& force, const Mat3& moment) override;
   SpecimenShape set_specimen_axis(const Vec3& axis) override;
   void mark_start_of_loading() override;
+  void protect_bond(Index bond) override;
   double time() const override { return state_.time; }
   double time_step() const override { return state_.time_step; }
   ParticlesView particles() const override;
@@ -72,6 +73,7 @@ class Simulation final : public LoadControl {
   std::vector<double*> columns_;
   std::vector<double> chunk_friction_, chunk_contact_, chunk_fracture_;
   std::vector<std::uint8_t> chunk_broke_;
+  std::vector<std::uint8_t> guarded_pairs_;  ///< of `bonds.guarded`, for the present pair list
   std::vector<Vec3> external_force_, external_torque_;
   bool any_applied_ = false, loading_started_ = false, pair_forces_known_ = true;
   std::uint64_t rebuilds_ = 0;

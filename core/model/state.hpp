@@ -42,6 +42,7 @@ struct Bonds {
   std::vector<Index> i, j, pair;
   std::vector<double> initial_distance, break_time;  // [m], [s]
   std::vector<BondState> state;
+  std::vector<std::uint8_t> guarded;    ///< 1: must not break; empty when there are none
   std::vector<Vec3> break_position, break_normal;
   std::size_t size() const { return i.size(); }
 };

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every workflow that is shipped, with a specimen so small that it runs in a second or two: same shape, same sizes of
 // particles, same everything else.
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <vector>
 
 #include "program.hpp"
 
@@ -50,6 +52,54 @@ TEST_F(SmallWorkflows, Rojek2012) {
     EXPECT_NEAR(of["3c"]["elastic_brittle"]["bond_shear_strength_N"].get<double>(),
                 4 * 40e6 * mean("pair_minimum_radius_squared", "mean_m2"), 1e-6 * 40e6);
   }
+}
+
+/// The workflow's own `small` variant.
+class SmallOuyang : public Program {
+ protected:
+  Json run(const std::string& name, const std::string& more = "") const {
+    const Result r = call("run '" + workflows + "ouyang2017/" + name + ".yaml' --variant small --output " + name + " --threads 1 " + more);
+    EXPECT_EQ(r.code, 0) << name << r.text;
+    return r.code == 0 ? Json::parse(content(folder_ / name / "summary.json")) : Json();
+  }
+};
+
+TEST_F(SmallOuyang, CompressionAndTensionOfFiveSpecimens) {
+  std::vector<double> strengths;
+  for (const char* specimen : {"a", "b", "c", "d", "e"}) {
+    const std::string name = std::string("baseline_") + specimen;
+    const Json c = run(name + "_ucs"), t = run(name + "_tension");
+    if (HasFailure()) return;
+    const auto value = [](const Json& s, const char* key) { return s[key].get<double>(); };
+    EXPECT_TRUE(c["peak_reached"].get<bool>() && t["peak_reached"].get<bool>()) << name;
+    // What the law is made for, and nothing that depends on one packing of a hundred discs.
+    EXPECT_GT(value(c, "peak_stress_Pa"), 3 * value(t, "peak_stress_Pa")) << name;
+    EXPECT_GT(value(t, "youngs_modulus_Pa"), 5e9) << name << ": tension is positive to `sense: tension`";
+    EXPECT_GT(value(c, "youngs_modulus_Pa"), 5e9) << name;
+    EXPECT_GT(t["direct_tension"]["protected_bonds"], 0);
+    strengths.push_back(value(t, "peak_stress_Pa"));
+  }
+  std::sort(strengths.begin(), strengths.end());
+  EXPECT_EQ(std::unique(strengths.begin(), strengths.end()), strengths.end()) << "five different specimens";
+}
+
+TEST_F(SmallOuyang, RocksAndOtherTests) {
+  for (const char* rock : {"lac_du_bonnet", "quartzite"}) {
+    const Json c = run(std::string(rock) + "_ucs"), t = run(std::string(rock) + "_tension");
+    if (HasFailure()) return;
+    EXPECT_GT(c["peak_stress_Pa"].get<double>(), 3 * t["peak_stress_Pa"].get<double>()) << rock;
+  }
+  const Json biaxial = run("baseline_biaxial");
+  const Json brazilian = run("baseline_brazilian");
+  if (HasFailure()) return;
+  EXPECT_NEAR(biaxial["biaxial_compression"]["confining_pressure_applied_Pa"].get<double>(), 20e6, 0.2e6);
+  EXPECT_GT(brazilian["brazilian"]["peak_tensile_stress_Pa"].get<double>(), 1e6);
+}
+
+TEST_F(SmallOuyang, Spheres) {
+  const Json c = run("baseline_3d_ucs"), t = run("baseline_3d_tension");
+  if (HasFailure()) return;
+  EXPECT_GT(c["peak_stress_Pa"].get<double>(), 3 * t["peak_stress_Pa"].get<double>());
 }
 
 }  // namespace

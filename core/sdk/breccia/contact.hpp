@@ -32,6 +32,7 @@ struct Contact {
   double spin;              ///< mean rotation of the two about n in this step [rad]
   double turn_x, turn_y, turn_z;     ///< rotation of j relative to i in this step [rad]
   double intact;            ///< 1 while the bond holds, else 0
+  double breakable;         ///< 0 for a bond that the protocol protects (`respects_protection`), else 1
   double reduced_mass;      ///< m_i m_j/(m_i + m_j) [kg]
   double time_step;         // [s]
 };
@@ -76,6 +77,7 @@ struct PairBatch {
   const Index *i = nullptr, *j = nullptr;
   const double* rest_length = nullptr;
   BondState* state = nullptr;
+  const std::uint8_t* guarded = nullptr;     ///< 1 for pairs whose bond must not break; null when there are none
   double* const* columns = nullptr;          ///< the law's history, one array each
   const Vec3 *position = nullptr, *velocity = nullptr, *angular_velocity = nullptr;
   const double *radius = nullptr, *mass = nullptr;

@@ -9,6 +9,7 @@
 ///     struct State { double spring_x, spring_y, spring_z; };    // history of one pair, doubles only
 ///     static constexpr std::array columns{StateColumn<State>{&State::spring_x, "shear_spring_x", "m"}, ...};
 ///     static constexpr bool has_moments = false;
+///     static constexpr bool respects_protection = true;         // bonds with `breakable` 0 are never damaged or broken
 ///     MyLaw(const Config&, const Assembly&);                    // derive constants once
 ///     BRECCIA_KERNEL State initial(const Contact&) const;
 ///     BRECCIA_KERNEL ContactForce operator()(const Contact&, State&) const;   // no branches: use ?: so that it vectorises
@@ -38,6 +39,7 @@ class BRECCIA_API ContactLaw : public Plugin {
   struct ColumnDoc { std::string name, unit; };
   virtual std::vector<ColumnDoc> columns() const = 0;
   virtual bool has_moments() const = 0;
+  virtual bool respects_protection() const { return false; }  ///< never damages a bond that a protocol protects
   virtual void prepare(const Assembly& assembly) = 0;         ///< once, before anything else
   virtual void initialise(const PairBatch& batch) = 0;        ///< history of new pairs
   virtual void evaluate(const PairBatch& batch) = 0;
@@ -62,6 +64,7 @@ template <class Law> class ContactLawOf final : public ContactLaw {
     return docs;
   }
   bool has_moments() const override { return detail::law_has_moments<Law>(); }
+  bool respects_protection() const override { return detail::law_respects_protection<Law>(); }
   void prepare(const Assembly& assembly) override { law_.emplace(config_, assembly); }
   void initialise(const PairBatch& b) override {
     detail::for_each_contact<Law>(b, [&](const Contact& c, std::size_t k) {

@@ -59,6 +59,8 @@ template <bool with_mass> BRECCIA_KERNEL void gather(const PairBatch& b, std::si
     if constexpr (with_mass) { g.mi[k] = b.mass[i]; g.mj[k] = b.mass[j]; }
     g.intact[k] = b.state[first + k] == BondState::intact ? 1.0 : 0.0;
   }
+  if (b.guarded)
+    for (std::size_t k = 0; k < n; ++k) g.intact[k] *= 1.0 + b.guarded[first + k];  // 2: holds whatever comes
 }
 
 /// Coincident centres have no normal: the floor on the distance keeps the result finite (and the force zero).
@@ -81,7 +83,8 @@ template <bool with_mass> BRECCIA_KERNEL Contact contact_of(const Gathered& g, s
   c.shear_z = dt * (g.vz[k] - c.normal_velocity * c.nz - (px * c.ny - py * c.nx));
   c.spin = 0.5 * dt * ((g.wix[k] + g.wjx[k]) * c.nx + (g.wiy[k] + g.wjy[k]) * c.ny + (g.wiz[k] + g.wjz[k]) * c.nz);
   c.turn_x = dt * (g.wjx[k] - g.wix[k]); c.turn_y = dt * (g.wjy[k] - g.wiy[k]); c.turn_z = dt * (g.wjz[k] - g.wiz[k]);
-  c.intact = g.intact[k];
+  c.intact = g.intact[k] > 0.5 ? 1.0 : 0.0;
+  c.breakable = g.intact[k] < 1.5 ? 1.0 : 0.0;
   if constexpr (with_mass) c.reduced_mass = g.mi[k] * g.mj[k] / (g.mi[k] + g.mj[k]);
   else c.reduced_mass = 0;
   c.time_step = dt;
@@ -90,6 +93,10 @@ template <bool with_mass> BRECCIA_KERNEL Contact contact_of(const Gathered& g, s
 
 template <class Law> constexpr bool law_has_moments() {
   if constexpr (requires { Law::has_moments; }) return Law::has_moments;
+  else return false;
+}
+template <class Law> constexpr bool law_respects_protection() {
+  if constexpr (requires { Law::respects_protection; }) return Law::respects_protection;
   else return false;
 }
 template <class Law> constexpr bool law_needs_mass() {

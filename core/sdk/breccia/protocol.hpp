@@ -43,6 +43,9 @@ class LoadControl {
   virtual SpecimenShape set_specimen_axis(const Vec3& axis) = 0;
   /// Starts the ledger of energies and the reference positions (displacements) afresh; rows of curves.csv begin here.
   virtual void mark_start_of_loading() = 0;
+  /// From now on the bond (a row of BondsView) is neither damaged nor broken, whatever it carries. Only in `setup`.
+  /// UserError if the contact law cannot do this.
+  virtual void protect_bond(Index bond) = 0;
   virtual double time() const = 0;
   virtual double time_step() const = 0;
   virtual ParticlesView particles() const = 0;             ///< as the last step left them

@@ -58,6 +58,8 @@ struct ElasticBrittle {
                                       StateColumn<State>{&State::spring_y, "shear_spring_y", "m"},
                                       StateColumn<State>{&State::spring_z, "shear_spring_z", "m"}};
 
+  static constexpr bool respects_protection = true;
+
   ElasticBrittle(const Config& c, const Assembly& assembly)
       : inverse_ratio(1 / c.stiffness_ratio), friction(c.friction),
         keep_rest_length(c.broken_rest_length == RestLength::initial_distance ? 1.0 : 0.0) {
@@ -81,8 +83,9 @@ struct ElasticBrittle {
 
     const double bonded_normal = kn * (c.distance - c.rest_length);
     const bool intact = c.intact > 0.5;
-    const bool tension = intact & (bonded_normal >= tensile_strength * area);
-    const bool shear = intact & !tension & (trial >= shear_strength * area);
+    const bool breakable = intact & (c.breakable > 0.5);
+    const bool tension = breakable & (bonded_normal >= tensile_strength * area);
+    const bool shear = breakable & !tension & (trial >= shear_strength * area);
     const bool holds = intact & !tension & !shear;
 
     const double free_normal = kn * (c.distance - free_length(c));

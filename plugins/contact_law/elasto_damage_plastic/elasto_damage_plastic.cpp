@@ -25,6 +25,7 @@ struct Law {
                                       StateColumn<State>{&State::viscous_force, "viscous_force", "N"},
                                       StateColumn<State>{&State::regime, "regime", "1"}};
   static constexpr bool needs_mass = true;
+  static constexpr bool respects_protection = true;
 
   Law(const Config& c, const Assembly& assembly)
       : area_factor(c.area_factor ? *c.area_factor : optimal_area_factor(assembly)),
@@ -51,7 +52,7 @@ struct Law {
   BRECCIA_KERNEL ContactForce operator()(const Contact& c, State& s) const {
     const double inverse_rest = 1 / c.rest_length, area = contact_area(c);
     const double ea = modulus * area, kn = ea * inverse_rest, ks = kn * shear_ratio;
-    const bool intact = c.intact > 0.5;
+    const bool intact = c.intact > 0.5, damageable = intact & (c.breakable > 0.5);
 
     const double strain = (c.distance - c.rest_length) * inverse_rest;
     const double reached = hardening.plastic_strain(-strain);
@@ -68,8 +69,8 @@ struct Law {
     // Displacement over that at the strength; coupled, the two add up to the distance from the joint failure line.
     const double share_n = pulled * inverse_limit_strain, share_s = trial * over_zero * inverse_s;
     const double load_n = share_n + coupling * share_s, load_s = share_s + coupling * share_n;
-    const double dn = grown(s.tension_damage, (load_n - 1) * inverse_soft_n, intact);
-    const double ds = grown(s.shear_damage, (load_s - 1) * inverse_soft_s, intact);
+    const double dn = grown(s.tension_damage, (load_n - 1) * inverse_soft_n, damageable);
+    const double ds = grown(s.shear_damage, (load_s - 1) * inverse_soft_s, damageable);
     const bool holds = intact & (dn < 1) & (ds < 1), broke = intact & !holds;
     const double over_n = 1 + soft_n * dn, over_s = 1 + soft_s * ds;
     const double beyond_n = load_n > 1 ? load_n : 1.0, beyond_s = load_s > 1 ? load_s : 1.0;
@@ -145,9 +146,9 @@ struct Law {
     const double r = c.radius_i < c.radius_j ? c.radius_i : c.radius_j, area_over_r = area_square * r + area_linear;
     return damping * area_over_r * inverse_rest * std::sqrt(c.reduced_mass * kn);
   }
-  BRECCIA_KERNEL static double grown(double damage, double reached, bool intact) {
+  BRECCIA_KERNEL static double grown(double damage, double reached, bool damageable) {
     const double at_most = reached < 1 ? reached : 1.0;
-    return intact & (at_most > damage) ? at_most : damage;
+    return damageable & (at_most > damage) ? at_most : damage;
   }
   /// Stiffness of the secant over the initial one.
   BRECCIA_KERNEL static double secant(double damage, double softening) {

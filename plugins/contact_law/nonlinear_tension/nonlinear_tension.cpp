@@ -22,6 +22,7 @@ struct Law {
                                       StateColumn<State>{&State::bending_z, "bending_z", "rad"},
                                       StateColumn<State>{&State::torsion, "torsion", "rad"}};
   static constexpr bool has_moments = true;
+  static constexpr bool respects_protection = true;
 
   Law(const Config& c, const Assembly& a)
       : shear_ratio(c.shear_stiffness_ratio),
@@ -54,7 +55,7 @@ struct Law {
     const double smaller = c.radius_i < c.radius_j ? c.radius_i : c.radius_j, touching = c.radius_i + c.radius_j;
     const double kn = normal_stiffness(smaller), ks = kn * shear_ratio, km = bending_stiffness(kn), kt = km * torsion_ratio;
     const double inverse_length = 1 / c.rest_length, inverse_touching = 1 / touching;
-    const bool was = c.intact > 0.5;
+    const bool was = c.intact > 0.5, breakable = was & (c.breakable > 0.5);
 
     const double strain = (c.distance - c.rest_length) * inverse_length;
     const PlaneVector slid = follow_plane(c, s.shear_x, s.shear_y, s.shear_z);
@@ -69,9 +70,9 @@ struct Law {
 
     // The beam at the rim that is strained most, in tension and in shear.
     const double rim = width * smaller * inverse_touching;
-    const bool tension = was & (strain + rim * std::sqrt(bending2) > limit);
+    const bool tension = breakable & (strain + rim * std::sqrt(bending2) > limit);
     const double line = shear_limit - internal_friction * strain, allowed = line < shear_cap ? line : shear_cap;
-    const bool sheared = was & !tension & (shear + rim * std::abs(twist) > allowed);
+    const bool sheared = breakable & !tension & (shear + rim * std::abs(twist) > allowed);
     const bool broke = tension | sheared, holds = was & !broke;
 
     const double pulled = strain > 0 ? strain : 0.0, fall = decay(pulled * inverse_scale);

@@ -7,16 +7,21 @@
 namespace breccia {
 
 /// Mean resultant on a particle over mean contact force: small values say that a run is quasi-static. 0 without contacts.
-inline double unbalanced_force_ratio(const SimulationView& view) {
+/// Particles that `held` marks (one entry each, or none) have a resultant by intention and do not count.
+inline double unbalanced_force_ratio(const SimulationView& view, std::span<const std::uint8_t> held = {}) {
   double resultant = 0, contact = 0;
-  std::size_t contacts = 0;
-  for (const Vec3& f : view.particles.force) resultant += f.norm();
+  std::size_t contacts = 0, particles = 0;
+  for (std::size_t k = 0; k < view.particles.size(); ++k) {
+    if (!held.empty() && held[k]) continue;
+    resultant += view.particles.force[k].norm();
+    ++particles;
+  }
   for (const PairForce& f : view.pairs.force) {
     const double size = std::sqrt(f.fx * f.fx + f.fy * f.fy + f.fz * f.fz);
     contact += size;
     contacts += size > 0;
   }
-  return contact > 0 ? resultant / double(view.particles.size()) / (contact / double(contacts)) : 0.0;
+  return contact > 0 && particles > 0 ? resultant / double(particles) / (contact / double(contacts)) : 0.0;
 }
 
 }  // namespace breccia

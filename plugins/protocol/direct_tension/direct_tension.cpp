@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Direct tension: the particles near both ends are held by plates that move apart.
+/// Source: Ouyang, Yang & Chen (2017), Appl. Sci. 7(7), 686, section 2.4 (held ends, breakable layer); the ramp, the depth
+/// of the grips and the stop are ours.
+#include "breccia/protocol_tools/axial_test.hpp"
+
+namespace breccia {
+
+class DirectTension final : public Protocol {
+ public:
+  struct Config {
+    LoadingAxis axis;
+    MovingPlatens moving;
+    double plate_velocity, ramp_time, breakable_layer, max_strain, stop_stress_ratio, failure_stress;
+    std::optional<double> grip, time_after_peak;
+  };
+
+  static void describe(Schema<Config>& s) {
+    s.summary("Tension along the axis: particles near both ends move with plates, a middle layer may fail")
+        .source("Ouyang et al. (2017), section 2.4")
+        .details(
+            "Particles whose centre lies within `grip` of an end face are held in all their motions and move with a plate. The load is "
+            "what they are pulled with: the sum of their resultants, the mean of both ends. Strain is the plates' displacement over the "
+            "free length, which lies between the mean heights of the held particles that are bonded to free ones. Bonds between particles that do not both lie in the middle "
+            "`breakable_layer` of the height are neither damaged nor broken.\n\n"
+            "Curves have the signs and names of a compression test, so both come out negative: `platen_stress` (load over the measured "
+            "cross-section), `platen_strain`, `platen_imbalance` (difference of the ends' loads over their mean), "
+            "`unbalanced_force_ratio` (of the particles that are not held).");
+    s.param("axis", &Config::axis)
+        .choice("specimen", LoadingAxis::specimen, "the axis of the packing")
+        .choice("x", LoadingAxis::x, "for a box").choice("y", LoadingAxis::y, "for a box").choice("z", LoadingAxis::z, "for a box")
+        .fallback("specimen").doc("direction of the loading");
+    s.param("plate_velocity", &Config::plate_velocity).unit("m/s").above(0).example("0.1 m/s").doc("of each moving plate, away from the other");
+    s.param("moving_plates", &Config::moving)
+        .choice("both", MovingPlatens::both, "each at plate_velocity")
+        .choice("upper", MovingPlatens::upper, "the lower one stands")
+        .fallback("upper").doc("which plates move");
+    s.param("ramp_time", &Config::ramp_time).unit("s").at_least(0).fallback(20e-6).doc("time in which the plates reach their velocity");
+    s.param("grip", &Config::grip).unit("m").above(0).example("0.9 mm")
+        .doc("depth below an end face down to which centres are held; if absent the largest radius");
+    s.param("breakable_layer", &Config::breakable_layer).above(0).at_most(1).fallback(0.6)
+        .doc("share of the height, about the middle, in which bonds may fail; 1: all may").source("0.6 L");
+    s.param("max_strain", &Config::max_strain).above(0).below(1).fallback(0.02).doc("plate strain at which the test ends at the latest");
+    s.param("stop_stress_ratio", &Config::stop_stress_ratio).at_least(0).below(1).fallback(0.3)
+        .doc("the test ends once the stress has fallen to this share of its peak; 0: never for this reason");
+    s.param("time_after_peak", &Config::time_after_peak).unit("s").above(0).example("40 us")
+        .doc("the test goes on at least this long after the peak").source("4000 steps of 10 ns");
+    s.param("failure_stress", &Config::failure_stress).unit("Pa").at_least(0).fallback(0.1e6)
+        .doc("a stress drop counts as failure only if the peak was above this");
+  }
+
+  explicit DirectTension(const Config& config) : c_(config) {}
+
+  void setup(const SimulationView& view, LoadControl& control, Recorder& recorder, Host&) override {
+    shape_ = view.specimen;
+    if (c_.axis != LoadingAxis::specimen) shape_ = turned(view, control);
+    const ParticlesView& p = view.particles;
+    double largest = 0;
+    for (const double r : p.radius) largest = std::max(largest, r);
+    grip_ = c_.grip.value_or(largest);
+    if (2 * grip_ >= shape_.height) throw UserError("protocol direct_tension: the grips meet: make `grip` smaller");
+    held_.assign(p.size(), 0);
+    const double tolerance = 1e-9 * shape_.height;
+    for (Index k = 0; k < p.size(); ++k) {
+      const double at = height_of(p.position[k]);
+      const bool low = at <= grip_ + tolerance, high = at >= shape_.height - grip_ - tolerance;
+      if (low) lower_.push_back(k);
+      if (high) upper_.push_back(k);
+      held_[k] = low || high;
+    }
+    if (lower_.empty() || upper_.empty()) throw UserError("protocol direct_tension: no particle lies within `grip` of an end face; make it larger");
+    free_length_ = free_length(view);
+    protect(view, control);
+    s_.lower_start = mean_height(p, lower_);
+    s_.upper_start = mean_height(p, upper_);
+    stress_ = recorder.add({"platen_stress", "Pa", "mean load of both ends over the cross-section; compression positive"});
+    strain_ = recorder.add({"platen_strain", "1", "displacement of the plates over the free length; compression positive"});
+    imbalance_ = recorder.add({"platen_imbalance", "1", "difference of the ends' loads over their mean"});
+    unbalanced_ = recorder.add({"unbalanced_force_ratio", "1", "mean resultant on a particle that is not held over mean contact force"});
+  }
+
+  void step(LoadControl& control) override {
+    if (!s_.begun) {
+      s_.begun = true;
+      s_.ramp.lead_to(c_.plate_velocity, control.time(), c_.ramp_time);
+    }
+    const double speed = s_.ramp.at(control.time());
+    if (s_.holding && speed == s_.speed) return;
+    const Vec3 up = speed * shape_.axis, down = c_.moving == MovingPlatens::both ? Vec3(-up) : Vec3::Zero();
+    for (const Index k : upper_) control.hold(k, dof::all, up, Vec3::Zero());
+    for (const Index k : lower_) control.hold(k, dof::all, down, Vec3::Zero());
+    s_.speed = speed;
+    s_.holding = true;
+  }
+
+  Progress sample(const SimulationView& view, LoadControl& control, Recorder& recorder) override {
+    if (!s_.marked) control.mark_start_of_loading();
+    s_.marked = true;
+    const double below = pull(view, lower_), above = -pull(view, upper_), mean = 0.5 * (below + above);
+    const double stress = mean / shape_.cross_section_area;
+    s_.strain = (mean_height(view.particles, upper_) - s_.upper_start - mean_height(view.particles, lower_) + s_.lower_start) / free_length_;
+    s_.stress = stress;
+    recorder.set(stress_, -stress);
+    recorder.set(strain_, -s_.strain);
+    recorder.set(imbalance_, mean > 0 ? (above - below) / mean : 0.0);
+    const double unbalanced = unbalanced_force_ratio(view, held_);
+    recorder.set(unbalanced_, unbalanced);
+    if (stress > s_.peak) {
+      s_.peak = stress;
+      s_.strain_at_peak = s_.strain;
+      s_.time_of_peak = view.time;
+      s_.broken_at_peak = broken(view);
+    }
+    const bool fallen = c_.stop_stress_ratio > 0 && s_.peak > c_.failure_stress && stress < c_.stop_stress_ratio * s_.peak;
+    s_.failed = fallen && view.time - s_.time_of_peak >= c_.time_after_peak.value_or(0);
+    return s_.failed || s_.strain >= c_.max_strain ? Progress::finished : Progress::running;
+  }
+
+  double share_done() const override { return s_.failed ? 1.0 : std::clamp(s_.strain / c_.max_strain, 0.0, 1.0); }
+  std::string status() const override {
+    char text[64];
+    std::snprintf(text, sizeof text, "tension %.2f MPa", s_.stress * 1e-6);
+    return text;
+  }
+
+  void finish(const SimulationView& view, const Curves& curves, Summary& summary) override {
+    summary.own("held_particles", Json{{"lower", lower_.size()}, {"upper", upper_.size()}});
+    summary.own("grip_m", grip_);
+    summary.own("free_length_m", free_length_);
+    summary.own("protected_bonds", protected_);
+    summary.own("cross_section_area_m2", shape_.cross_section_area);
+    summary.own("peak_tension_Pa", s_.peak);
+    summary.own("strain_at_peak", s_.strain_at_peak);
+    summary.own("broken_bonds_at_peak", s_.broken_at_peak);
+    summary.own("broken_bonds_at_end", broken(view));
+    summary.own("time_after_peak_s", view.time - s_.time_of_peak);
+    summary.own("stopped_by", s_.failed ? "stress drop" : s_.strain >= c_.max_strain ? "max_strain" : "request");
+    // Evidence of a quasi-static run: how far the two ends were apart between half the peak and the peak.
+    const auto stress = curves.column("platen_stress"), imbalance = curves.column("platen_imbalance");
+    double most = 0;
+    for (std::size_t k = 0; k < stress.size() && -stress[k] < s_.peak; ++k)
+      if (-stress[k] > 0.5 * s_.peak) most = std::max(most, std::abs(imbalance[k]));
+    summary.own("platen_imbalance_max_before_peak", most);
+  }
+  std::span<std::byte> state() override { return std::as_writable_bytes(std::span(&s_, 1)); }
+
+ private:
+  struct Running {
+    double lower_start = 0, upper_start = 0, speed = 0, strain = 0, stress = 0, peak = 0, strain_at_peak = 0, time_of_peak = 0;
+    std::size_t broken_at_peak = 0;
+    SmoothRamp ramp;   // of the plates' speed
+    bool begun = false, holding = false, marked = false, failed = false;
+  };
+
+  SpecimenShape turned(const SimulationView& view, LoadControl& control) const {
+    const Vec3 axis = Vec3::Unit(int(c_.axis) - 1);
+    if (shape_.outline == SpecimenShape::Outline::cylinder && std::abs(axis.dot(shape_.axis)) < 0.999)
+      throw UserError("protocol: a cylinder is loaded along its own axis: leave `axis` out");
+    if (view.dimension == 2 && c_.axis == LoadingAxis::z) throw UserError("protocol: in two dimensions the axis is x or y");
+    return control.set_specimen_axis(axis);
+  }
+  double height_of(const Vec3& x) const { return (x - shape_.base).dot(shape_.axis); }
+  double mean_height(const ParticlesView& p, const std::vector<Index>& group) const {
+    double sum = 0;
+    for (const Index k : group) sum += height_of(p.position[k]);
+    return sum / double(group.size());
+  }
+  /// Between the mean heights of the held particles that are bonded to free ones.
+  double free_length(const SimulationView& view) const {
+    double height[2] = {0, 0}, count[2] = {0, 0};
+    std::vector<std::uint8_t> counted = held_;
+    for (Index b = 0; b < view.bonds.size(); ++b)
+      for (const auto& [k, other] : {std::pair(view.bonds.i[b], view.bonds.j[b]), std::pair(view.bonds.j[b], view.bonds.i[b])})
+        if (counted[k] && !held_[other]) {
+          const double at = height_of(view.particles.position[k]);
+          const int end = at > 0.5 * shape_.height;
+          height[end] += at;
+          ++count[end];
+          counted[k] = 0;
+        }
+    if (count[0] == 0 || count[1] == 0) throw UserError("protocol direct_tension: no bond joins the particles held at an end to the specimen");
+    return height[1] / count[1] - height[0] / count[0];
+  }
+  void protect(const SimulationView& view, LoadControl& control) {
+    if (c_.breakable_layer >= 1) return;
+    const double half = 0.5 * c_.breakable_layer * shape_.height;
+    const auto inside = [&](Index k) { return std::abs(height_of(view.particles.position[k]) - 0.5 * shape_.height) <= half; };
+    for (Index b = 0; b < view.bonds.size(); ++b) {
+      if (inside(view.bonds.i[b]) && inside(view.bonds.j[b])) continue;
+      control.protect_bond(b);
+      ++protected_;
+    }
+  }
+  /// Of the specimen on held particles, along the axis [N].
+  double pull(const SimulationView& view, const std::vector<Index>& group) const {
+    double sum = 0;
+    for (const Index k : group) sum += view.particles.force[k].dot(shape_.axis);
+    return sum;
+  }
+  static std::size_t broken(const SimulationView& view) {
+    std::size_t n = 0;
+    for (const BondState b : view.bonds.state) n += is_broken(b);
+    return n;
+  }
+
+  Config c_;
+  SpecimenShape shape_;
+  double grip_ = 0, free_length_ = 0;
+  std::vector<Index> lower_, upper_;
+  std::vector<std::uint8_t> held_;
+  std::size_t protected_ = 0;
+  std::size_t stress_ = 0, strain_ = 0, imbalance_ = 0, unbalanced_ = 0;
+  Running s_;
+};
+
+}  // namespace breccia
+
+BRECCIA_PLUGIN(breccia::DirectTension, "protocol", "direct_tension")
