@@ -16,7 +16,7 @@ class OnateWorkflows : public Program {
     const std::string radius = "{mean: " + std::to_string(mean) + " mm, standard_deviation: " + std::to_string(0.4 * mean) + " mm}";
     const Result r = call("run '" BRECCIA_SOURCE_DIR "/workflows/onate2015/" + name + ".yaml' --output '" + name +
                           "' --threads 1 --variant small --set packing.particles=300 --set 'packing.radius=" + radius + "' --set '" + ends +
-                          "' --set outputs=[] --set renderers=[]");
+                          "' --set sampling.every_steps=20 --set outputs=[] --set renderers=[]");
     EXPECT_EQ(r.code, 0) << name << "\n" << r.text;
     return r.code == 0 ? Json::parse(content(folder_ / name / "summary.json")) : Json();
   }

@@ -36,23 +36,32 @@ TEST(Voronoi, CellsFillTheRectangleFlatAndRolledUp) {
 }
 
 TEST(Voronoi, ACellHoldsWhatIsNearestToItsPoint) {
-  const auto points = scattered(40, 3, 2, 5);
-  const auto areas = voronoi_areas(points, 3, 2, true);
-  std::vector<double> counted(points.size(), 0);
-  constexpr int grid = 900;
-  for (int i = 0; i < grid; ++i)
-    for (int j = 0; j < grid; ++j) {
-      const SurfacePoint at(3 * (i + 0.5) / grid, 2 * (j + 0.5) / grid);
-      std::size_t nearest = 0;
-      double least = 1e300;
-      for (std::size_t k = 0; k < points.size(); ++k) {
-        SurfacePoint d = points[k] - at;
-        d.x() -= 3 * std::round(d.x() / 3);
-        if (d.squaredNorm() < least) { least = d.squaredNorm(); nearest = k; }
+  for (const double largest : {0.0, 0.3, 1.0}) {
+    const auto points = scattered(40, 3, 2, 5);
+    std::vector<double> radii;
+    for (const SurfacePoint& p : scattered(40, 1, 1, 6)) radii.push_back(largest * p.x());
+    const auto areas = voronoi_areas(points, 3, 2, true, radii);
+    EXPECT_NEAR(sum(areas), 6, 1e-10);
+    std::vector<double> counted(points.size(), 0);
+    constexpr int grid = 900;
+    for (int i = 0; i < grid; ++i)
+      for (int j = 0; j < grid; ++j) {
+        const SurfacePoint at(3 * (i + 0.5) / grid, 2 * (j + 0.5) / grid);
+        std::size_t nearest = 0;
+        double least = 1e300;
+        for (std::size_t k = 0; k < points.size(); ++k) {
+          SurfacePoint d = points[k] - at;
+          d.x() -= 3 * std::round(d.x() / 3);
+          const double power = d.squaredNorm() - radii[k] * radii[k];
+          if (power < least) {
+            least = power;
+            nearest = k;
+          }
+        }
+        counted[nearest] += 6.0 / grid / grid;
       }
-      counted[nearest] += 6.0 / grid / grid;
-    }
-  for (std::size_t k = 0; k < points.size(); ++k) EXPECT_NEAR(areas[k], counted[k], 2e-3) << k;
+    for (std::size_t k = 0; k < points.size(); ++k) EXPECT_NEAR(areas[k], counted[k], 2e-3) << k;
+  }
 }
 
 TEST(Voronoi, TwoPointsInOnePlaceHaveOneCell) {
@@ -60,6 +69,38 @@ TEST(Voronoi, TwoPointsInOnePlaceHaveOneCell) {
   EXPECT_NEAR(areas[0], 3, 1e-12);
   EXPECT_EQ(areas[1], 0);
   EXPECT_NEAR(sum(areas), 6, 1e-12);
+}
+
+TEST(Voronoi, OfTwoCirclesInOnePlaceTheLargerHasTheCell) {
+  const auto areas = voronoi_areas({{1, 1}, {1, 1}, {2, 1}}, 3, 2, false, {0.1, 0.2, 0.1});
+  EXPECT_EQ(areas[0], 0);
+  EXPECT_NEAR(areas[1], 2 * (1.5 + 0.5 * (0.04 - 0.01)), 1e-12);
+  EXPECT_NEAR(sum(areas), 6, 1e-12);
+}
+
+TEST(LateralSurface, LosesWhatSinksBehindOthers) {
+  PackedParticles p = simple_cubic(5, 5, 5, 1e-3);
+  State s = assemble(p, {2650}, 3, 1);
+  const ParticlesView v{s.particles.position, {}, {}, {}, {}, {}, {}, {}, s.particles.radius, {}, {}};
+  LateralSurface surface(s.specimen, v, 3, 1);
+  surface.measure(v, 0, s.specimen.height);
+  const auto of = [&](Index k) {
+    double area = 0;
+    for (const SurfaceCell& c : surface.cells()) area += c.particle == k ? c.area : 0;
+    return area;
+  };
+  Index mid = 0, behind = 0;  // in the middle of the face at high x, and the next one inward
+  for (Index k = 0; k < s.particles.size(); ++k) {
+    const Vec3 off = s.particles.position[k] - s.specimen.base - Vec3(0, 0, 5e-3);
+    if (off.isApprox(Vec3(4e-3, 0, 0), 1e-9)) mid = k;
+    if (off.isApprox(Vec3(2e-3, 0, 0), 1e-9)) behind = k;
+  }
+  EXPECT_NEAR(of(mid), 4e-6, 1e-15);
+  EXPECT_EQ(of(behind), 0);
+  std::swap(s.particles.position[mid].x(), s.particles.position[behind].x());
+  surface.measure(v, 0, s.specimen.height);
+  EXPECT_EQ(of(mid), 0);
+  EXPECT_NEAR(of(behind), 4e-6, 1e-15);
 }
 
 TEST(LateralSurface, OfALatticeIsItsOuterLayer) {

@@ -42,7 +42,7 @@ class Specimen {
     SimulationView v;
     v.dimension = dimension_;
     v.time = time;
-    v.particles = {position_, velocity_, spin_, initial_, force_, spin_, radius_, mass_, id_};
+    v.particles = {position_, velocity_, spin_, initial_, force_, spin_, {}, {}, radius_, mass_, id_};
     v.pairs = {pair_i_, pair_j_, pair_length_, pair_state_, pair_bond_, pair_force_, {}, {}};
     v.bonds = {bond_i_, bond_j_, bond_length_, bond_state_, break_time_, break_position_, break_normal_, bond_pair_};
     v.walls = walls_;
@@ -132,8 +132,8 @@ class Specimen {
     shape_.extent = dimension_ == 3 ? Vec3(2 * half_width_, 2 * half_width_, 4 * half_width_)
                                     : Vec3(2 * half_width_, 4 * half_width_, 1);
     walls_ = {
-        {"bottom", Vec3::Zero(), Vec3::Unit(up()), Vec3::Zero(), Vec3::Zero(), 7 * Vec3::Unit(up()), 3},
-        {"top", 4 * half_width_ * Vec3::Unit(up()), -Vec3::Unit(up()), Vec3::Zero(), Vec3::Zero(), Vec3(0, 0, -7), 4}};
+        {"bottom", Vec3::Zero(), Vec3::Unit(up()), Vec3::Zero(), Vec3::Zero(), 7 * Vec3::Unit(up()), 7, 0, 3},
+        {"top", 4 * half_width_ * Vec3::Unit(up()), -Vec3::Unit(up()), Vec3::Zero(), Vec3::Zero(), Vec3(0, 0, -7), 7, 0, 4}};
   }
 
   int dimension_;

@@ -4,23 +4,25 @@ import re
 
 from .runs import Case, mean, spread
 
-UCS, TRIAXIAL, ROUND = "onate2015/concrete_ucs", "onate2015/concrete_triaxial_9MPa", "onate2015/cement_triaxial_4000psi"
 SIZES = {"": [70000, 30000, 13000, 8000, 4000], "small": [3000, 1500, 800]}
 EXPERIMENT_SIZE = {"": 4000, "small": 1000}
 MESH_SEEDS = 3            # of the smaller specimens, for the scatter
 SPREADS = [0.10, 0.20, 0.30, 0.40, 0.45]
-E_0 = 28e9
+E_0 = {"concrete": 28e9, "shale": 30e9}
 
 
-class Concrete:
-    """Number, mean and standard deviation of the radii as in the workflow's base, scaled to another number of spheres."""
+class Specimen:
+    """Number, mean and standard deviation of the radii of a workflow (or of the base it names), scaled to another number of spheres."""
 
-    def __init__(self, root):
-        text = (root / "workflows/onate2015/base/concrete.yaml").read_text()
-        self.particles = int(re.search(r"particles: (\d+)", text)[1])
-        radius = re.search(r"radius: \{.*mean: ([\d.]+) mm, standard_deviation: ([\d.]+) mm", text)
-        self.mean, self.deviation = float(radius[1]), float(radius[2])
-        self.velocity = float(re.search(r"platen_velocity: ([\d.]+) m/s", (root / f"workflows/{UCS}.yaml").read_text())[1])
+    def __init__(self, root, workflow):
+        own = (root / f"workflows/{workflow}.yaml").read_text()
+        base = (root / "workflows/onate2015" / re.search(r"^base: (\S+)", own, re.M)[1]).read_text()
+
+        def first(pattern):
+            return next(m for m in (re.search(pattern, text.split("\nvariants:")[0]) for text in (own, base)) if m)
+        self.workflow, self.particles = workflow, int(first(r"particles: (\d+)")[1])
+        self.mean, self.deviation = map(float, first(r"mean: ([\d.]+) mm, standard_deviation: ([\d.]+) mm").groups())
+        self.velocity = float(first(r"platen_velocity: ([\d.]+) m/s")[1])
 
     def packing(self, particles, share=None):
         """Settings; `share`: standard deviation over mean. The volume of the spheres is that of a lognormal distribution: it
@@ -33,66 +35,112 @@ class Concrete:
                 f"packing.radius.standard_deviation={share * radius:.5g} mm")
 
 
+class Study:
+    """One workflow at the size of the experiments; each case changes one thing."""
+
+    def __init__(self, runner, workflow, seed):
+        self.specimen, self.seed, self.variant = Specimen(runner.root, "onate2015/" + workflow), seed, runner.variant
+        self.size = EXPERIMENT_SIZE.get(runner.variant, 1000)
+        self.plain = self.specimen.packing(self.size)
+        self.base = self.case("base")
+
+    def case(self, label, *settings, packing=None, seed=None):
+        return Case(self.specimen.workflow, seed or self.seed, (*(packing or self.plain), *settings), label, variant=self.variant)
+
+    def rates(self, factors):
+        v = self.specimen.velocity
+        return [(f"platens at {f * v:g} m/s" + (", as in the workflow" if f == 1 else ""),
+                 self.base if f == 1 else self.case(f"rate_{f}", f"protocol.platen_velocity={f * v:g} m/s")) for f in factors]
+
+    def contact_damping(self, values):
+        return [(f"xi = {x}" + (", as in the paper" if x == 0.9 else ""),
+                 self.base if x == 0.9 else self.case(f"xi_{x}", f"contact_law.contact_damping={x}")) for x in values]
+
+    def spreads(self, values):
+        return [(f"spread {s:.2f}", self.case(f"spread_{s}", packing=self.specimen.packing(self.size, s))) for s in values]
+
+    def seeds(self, values):
+        return [(f"seed {k}", self.case("base", seed=k)) for k in values]
+
+
 def groups(runner, seed):
-    """[(heading, [(text, case)])]."""
-    concrete, size = Concrete(runner.root), EXPERIMENT_SIZE.get(runner.variant, 1000)
-    plain, v = concrete.packing(size), concrete.velocity
-
-    def ucs(label, *settings, packing=plain, s=seed):
-        return Case(UCS, s, (*packing, *settings), label, variant=runner.variant)
-
-    base = ucs("base")
+    """{heading: [(text, case)]}: "mesh", "pressure", "compression" and "tension" are groups or groups of groups."""
+    concrete, shale = Study(runner, "concrete_ucs", seed), Study(runner, "shale_ucs", seed)
+    disc, shale_disc, triaxial = (Study(runner, w, seed) for w in ("concrete_bts", "shale_bts", "concrete_triaxial_9MPa"))
     mesh = []
     for n in SIZES.get(runner.variant, SIZES["small"]):
-        seeds = [seed] if n > 13000 else range(seed, seed + MESH_SEEDS)
-        for k in seeds:   # the workflow's own runs serve as well
-            mesh.append((n, Case(UCS, k, pictures=k == seed) if n == concrete.particles else ucs(f"mesh_{n}", packing=concrete.packing(n), s=k)))
+        for k in [seed] if n > 13000 else range(seed, seed + MESH_SEEDS):   # the workflow's own runs serve as well
+            mesh.append((n, Case(concrete.specimen.workflow, k, pictures=k == seed, variant=runner.variant) if n == concrete.specimen.particles
+                         else concrete.case(f"mesh_{n}", packing=concrete.specimen.packing(n), seed=k)))
+    law = [("failure: coupled", concrete.case("coupled", "contact_law.failure=coupled")),
+           ("softening 0.02 instead of 0.20", concrete.case("softening", "contact_law.softening_tension=0.02", "contact_law.softening_shear=0.02"))]
+    cement_limits = "contact_law.compressive_limits=[8.5 MPa, 9 MPa, 11 MPa]"
     return {
         "mesh": mesh,
-        "Loading rate": [(f"platens at {f * v:g} m/s" + (", as in the workflow" if f == 1 else ""),
-                          base if f == 1 else ucs(f"rate_{f}", f"protocol.platen_velocity={f * v:g} m/s")) for f in (0.5, 1, 2)],
-        "Damping in the contact": [(f"xi = {x}" + (", as in the paper" if x == 0.9 else ""),
-                                    base if x == 0.9 else ucs(f"xi_{x}", f"contact_law.contact_damping={x}")) for x in (0.9, 0.3, 0)],
-        "Spread of the radii (standard deviation over mean)": [
-            (f"{s:.2f}", ucs(f"spread_{s}", packing=concrete.packing(size, s))) for s in SPREADS],
-        "pressure": [(area, Case(TRIAXIAL, seed, (*plain, f"protocol.pressure_area={area}"), f"area_{area}", variant=runner.variant))
-                     for area in ("voronoi", "disc")],
+        "pressure": [(a, triaxial.case(f"area_{a}", f"protocol.pressure_area={a}")) for a in ("voronoi", "disc")],
+        "compression": {
+            "Concrete: loading rate": concrete.rates((0.5, 1, 2, 4)),
+            "Concrete: damping in the contact": concrete.contact_damping((0.9, 0.3, 0)),
+            "Concrete: spread of the radii (standard deviation over mean)": concrete.spreads(SPREADS),
+            "Concrete: the law": law,
+            "Shale: loading rate and spread of the radii": shale.rates((1, 4)) + shale.spreads((0.10, 0.20)),
+        },
+        "tension": {
+            "Concrete: packings": disc.seeds(range(seed, seed + 3)) + disc.spreads((0.10, 0.20)),
+            "Concrete: loading rate": disc.rates((0.5, 1, 4)),
+            "Concrete: damping in the contact": disc.contact_damping((0.9, 0)),
+            "Concrete: crushing below the platens": [("limits of cement, 8.5 to 11 MPa", disc.case("soft", cement_limits))],
+            "Shale: loading rate and spread of the radii": shale_disc.rates((1, 4)) + shale_disc.spreads((0.10, 0.20)),
+        },
     }
 
 
 def cases(runner, seed):
-    return list(dict.fromkeys(c for group in groups(runner, seed).values() for _, c in group))
+    every = groups(runner, seed)
+    flat = [every["mesh"], every["pressure"], *every["compression"].values(), *every["tension"].values()]
+    return list(dict.fromkeys(c for group in flat for _, c in group))
 
 
-def cells(run):
-    """Modulus over E_0, bonds per particle, alpha by Eq. 22, strength, strain at the peak, broken bonds, unbalanced force."""
-    def number(key, unit, digits):
-        value = run.get(key)
-        return "" if value is None else f"{value / unit:.{digits}f}"
-    bonds, porosity = run.get("coordination_number"), run.get("porosity")
-    strain = run.get("peak_strain")
-    return [number("youngs_modulus_Pa", E_0, 3), number("coordination_number", 1, 2), f"{40 * porosity / bonds:.3f}",
-            number("peak_stress_Pa", 1e6, 2), f"{strain:.3%}" if strain else "", f"{run.get('bonds_broken_tension')}",
-            f"{run.get('bonds_broken_shear')}", number("uniaxial_compression.unbalanced_force_ratio_max_before_peak", 1, 3)]
+def written(run, key, unit, digits):
+    value = run.get(key)
+    return "" if value is None else f"{value / unit:.{digits}f}"
 
 
-HEAD = ["E/E_0", "N_c", "40 P/N_c", "strength [MPa]", "strain at the peak", "broken in tension", "in shear", "unbalanced force ratio"]
+def in_compression(run):
+    bonds, strain = run.get("coordination_number"), run.get("peak_strain")
+    modulus = E_0[run.case.workflow.split("/")[1].split("_")[0]]
+    return [written(run, "youngs_modulus_Pa", modulus, 3), f"{bonds:.2f}", f"{40 * run.get('porosity') / bonds:.3f}", written(run, "peak_stress_Pa", 1e6, 2),
+            f"{strain:.3%}" if strain else "", written(run, "bonds_broken_tension", 1, 0), written(run, "bonds_broken_shear", 1, 0),
+            written(run, "uniaxial_compression.unbalanced_force_ratio_max_before_peak", 1, 3)]
+
+
+def in_tension(run):
+    return [f"{run.get('coordination_number'):.2f}", written(run, "brazilian_tensile_strength_Pa", 1e6, 2), written(run, "bonds_broken_tension", 1, 0),
+            written(run, "bonds_broken_shear", 1, 0)]
+
+
+KINDS = {
+    "compression": ("uniaxial compression", in_compression,
+                    ["E/E_0", "N_c", "40 P/N_c", "strength [MPa]", "strain at the peak", "broken in tension", "in shear", "unbalanced force ratio"]),
+    "tension": ("the Brazilian test", in_tension, ["N_c", "strength [MPa]", "broken in tension", "in shear"]),
+}
 
 
 def tables(report, runner, found, seed, figures):
     everything = groups(runner, seed)
-    mesh_study(report, everything.pop("mesh"), found, figures)
-    pressure = everything.pop("pressure")
+    mesh_study(report, everything["mesh"], found, figures)
     size = EXPERIMENT_SIZE.get(runner.variant, 1000)
-    report.text("## Experiments", f"One thing changed at a time: uniaxial compression of concrete, {size} spheres, one seed. 40 P/N_c is the "
-                "`area_factor` that the law takes when none is given (Eq. 22), with the porosity and bonds of the specimen; all runs have 1. "
-                "The unbalanced force ratio is the mean resultant on a particle over the mean contact force, the largest value between "
-                "10 and 90 % of the peak.")
-    for heading, group in everything.items():
-        rows = [[text, *cells(found[c])] for text, c in group if c in found]
+    report.text("## Experiments", f"One thing changed at a time, {size} spheres, one seed unless said. 40 P/N_c is the `area_factor` that the law takes when "
+                "none is given (Eq. 22), with the porosity and bonds of the specimen; all runs have 1. The unbalanced force ratio is the mean "
+                "resultant on a particle over the mean contact force, the largest value between 10 and 90 % of the peak.")
+    for kind, (name, cells, head) in KINDS.items():
+        rows = []
+        for heading, group in everything[kind].items():
+            rows += [[f"{heading}: {text}" if k == 0 else f"... {text}", *cells(found[c])] for k, (text, c) in enumerate((t, c) for t, c in group if c in found)]
         if rows:
-            report.text(f"### {heading}")
-            report.table(["", *HEAD], rows)
+            report.text(f"### In {name}")
+            report.table(["", *head], rows)
+    pressure = everything["pressure"]
     present = [(text, found[c]) for text, c in pressure if c in found]
     if not present:
         return
@@ -123,7 +171,7 @@ def mesh_study(report, group, found, figures):
             if not values:
                 return ""
             return f"{mean(values):.{digits}f}" + (f" ± {spread(values):.{digits}f}" if len(values) > 1 else "")
-        rows.append([n, len(these), both("youngs_modulus_Pa", E_0, 3), both("poisson_ratio", 1, 3), both("peak_stress_Pa", 1e6, 2),
+        rows.append([n, len(these), both("youngs_modulus_Pa", E_0["concrete"], 3), both("poisson_ratio", 1, 3), both("peak_stress_Pa", 1e6, 2),
                      both("peak_strain", 1e-2, 3), both("elastic_constants.after_peak.last_stress_over_peak", 1, 2), both("time_step_s", 1e-9, 1)])
     report.table(["spheres", "seeds", "E/E_0", "Poisson's ratio", "strength [MPa]", "strain at the peak [%]", "last stress over peak", "time step [ns]"], rows)
     figures.stress_strain(report, "Mesh size", "concrete: uniaxial compression with different numbers of spheres", [r[0] for _, r in sorted(runs.items())], "mesh_size",

@@ -23,7 +23,8 @@ class Report:
         verdict = "" if target is None else "yes" if abs(away) <= target else "**no**"
         if verdict == "**no**":
             self.missed.append(f"{what}: {away:+.1%} (asked: within {target:.0%})")
-        return [what, f"{mean(values):.{digits}f} ± {spread(values):.{digits}f}", f"{published:.{digits}f}",
+        scatter = f" ± {spread(values):.{digits}f}" if len(values) > 1 else ""
+        return [what, f"{mean(values):.{digits}f}{scatter}", f"{published:.{digits}f}",
                 f"{away:+.1%}", verdict]
 
     def write(self, path):

@@ -13,7 +13,8 @@ enum class PressureArea { voronoi, disc };
 
 template <class Config> void describe_pressure_area(Schema<Config>& s, PressureArea Config::* member) {
   s.param("pressure_area", member)
-      .choice("voronoi", PressureArea::voronoi, "Voronoi cell on the unrolled surface: the forces add up to pressure times surface")
+      .choice("voronoi", PressureArea::voronoi, "Voronoi cell on the unrolled surface, weighted by the radii: the forces add up to pressure times "
+                                                "surface")
       .choice("disc", PressureArea::disc, "pi r^2 (2 r times the thickness in two dimensions), as in Oñate et al. (2015); the "
                                            "forces add up to what the cross-sections of the surface particles happen to cover")
       .doc("area of a particle of the lateral surface on which the confining pressure acts")
@@ -38,14 +39,16 @@ class LateralPressure {
     pressure_ = pressure;
     stale_ = false;
     const ParticlesView p = control.particles();
-    forces_.clear();  // a particle on an edge has a cell on both faces
+    // Who is no longer of the surface is left alone; a particle on an edge has a cell on both faces.
+    for (Force& f : forces_) f = {f.particle, Vec3::Zero(), Mat3::Zero()};
     applied_ = 0;
     for (const SurfaceCell& c : surface_.cells()) {
       const double size = pressure * (rule_ == PressureArea::voronoi ? c.area : c.disc);
       applied_ += size;
       forces_.push_back({c.particle, size * c.inward, -p.radius[c.particle] * size * c.inward * c.inward.transpose()});
     }
-    std::sort(forces_.begin(), forces_.end(), [](const Force& a, const Force& b) { return a.particle < b.particle; });
+    std::stable_sort(forces_.begin(), forces_.end(), [](const Force& a, const Force& b) { return a.particle < b.particle; });
+    std::size_t distinct = 0;
     for (std::size_t k = 0; k < forces_.size();) {
       Force sum = forces_[k];
       for (++k; k < forces_.size() && forces_[k].particle == sum.particle; ++k) {
@@ -53,7 +56,9 @@ class LateralPressure {
         sum.moment += forces_[k].moment;
       }
       control.set_applied_force(sum.particle, sum.force, sum.moment);
+      if (!sum.force.isZero(0)) forces_[distinct++] = sum;
     }
+    forces_.resize(distinct);
   }
 
   double surface_area() const { return surface_.area(); }  // [m2]
@@ -63,7 +68,7 @@ class LateralPressure {
   std::size_t particles() const { return surface_.cells().size(); }
 
  private:
-  static constexpr std::size_t interval = 200;
+  static constexpr std::size_t interval = 100;
   struct Force {
     Index particle;
     Vec3 force;

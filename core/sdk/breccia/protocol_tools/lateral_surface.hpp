@@ -13,14 +13,13 @@ namespace breccia {
 struct SurfaceCell {
   Index particle;
   Vec3 inward = Vec3::Zero();  ///< unit normal
-  double area = 0;             ///< Voronoi cell of the particle on the unrolled surface [m2]; see Cheung and O'Sullivan (2008)
+  double area = 0;             ///< its Voronoi cell on the unrolled surface, weighted by the radii [m2]; see Cheung and O'Sullivan (2008)
   double disc = 0;             ///< pi r^2, in two dimensions 2 r times the thickness [m2]; see Oñate et al. (2015), 10.1.1
 };
 
 /// Faces of the specimen along its axis: the mantle of a cylinder, the four sides of a box, the two of a rectangle.
 class LateralSurface {
  public:
-  /// Picks the particles that are seen from outside, over at least half of their cross-section.
   LateralSurface(const SpecimenShape& shape, const ParticlesView& particles, int dimension, double thickness)
       : dimension_(dimension), thickness_(thickness), axis_(shape.axis), base_(shape.base) {
     int least = 0;
@@ -28,36 +27,40 @@ class LateralSurface {
     const Vec3 e1 = dimension == 2 ? Vec3(-axis_.y(), axis_.x(), 0) : axis_.cross(Vec3::Unit(least)).normalized(), e2 = axis_.cross(e1);
     const bool round = dimension == 3 && shape.outline != SpecimenShape::Outline::box;
     if (round) {
-      faces_.push_back({e1, e2, true, 0, std::sqrt(shape.cross_section_area / std::numbers::pi), {}});
+      faces_.push_back({e1, e2, true, 0, std::sqrt(shape.cross_section_area / std::numbers::pi)});
     } else {
       const auto extent = [&](const Vec3& e) { return shape.extent.dot(e.cwiseAbs()); };
       for (const Vec3& out : {e1, Vec3(-e1), e2, Vec3(-e2)}) {
         if (dimension == 2 && out.z() != 0) continue;
         const Vec3 along = axis_.cross(out);
-        faces_.push_back({out, along, false, dimension == 2 ? thickness : extent(along), 0.5 * extent(out), {}});
+        faces_.push_back({out, along, false, dimension == 2 ? thickness : extent(along), 0.5 * extent(out)});
       }
     }
-    for (Face& f : faces_) f.particles = seen(f, particles, shape.height);
+    for (const double r : particles.radius) pitch_ += 0.25 * r / double(particles.size());
   }
 
-  /// Cells of the present positions between two heights above the specimen's base [m].
+  /// The particles that are seen from outside, over at least half of their cross-section, and their cells, at the present
+  /// positions between two heights above the specimen's base [m]. What has sunk behind others is no longer of the surface.
   void measure(const ParticlesView& p, double low, double high) {
     cells_.clear();
     area_ = 0;
     for (const Face& f : faces_) {
+      const std::vector<Index> particles = seen(f, p, low, high);
       std::vector<Place> places;
+      std::vector<double> radii;
       double radius = 0;
-      for (const Index k : f.particles) {
+      for (const Index k : particles) {
         places.push_back(place(f, p.position[k]));
-        radius += (places.back().out + p.radius[k]) / double(f.particles.size());
+        radii.push_back(p.radius[k]);
+        radius += (places.back().out + p.radius[k]) / double(particles.size());
       }
       const double width = f.round ? 2 * std::numbers::pi * radius : f.width;
       std::vector<SurfacePoint> points;
       for (const Place& at : places)
         points.emplace_back(f.round ? at.across * radius : std::clamp(at.across + 0.5 * width, 0.0, width), at.along - low);
-      const std::vector<double> areas = voronoi_areas(points, width, high - low, f.round);
+      const std::vector<double> areas = voronoi_areas(points, width, high - low, f.round, radii);
       for (std::size_t n = 0; n < places.size(); ++n) {
-        const Index k = f.particles[n];
+        const Index k = particles[n];
         const double r = p.radius[k], bulge = f.round ? (places[n].out + r) / radius : 1.0;  // the mantle as wide as it is here
         cells_.push_back({k, -places[n].outward, areas[n] * bulge, dimension_ == 2 ? 2 * r * thickness_ : std::numbers::pi * r * r});
         area_ += cells_.back().area;
@@ -78,7 +81,6 @@ class LateralSurface {
     Vec3 e1, e2;     ///< round: any two across the axis; flat: outward, and along the face
     bool round;
     double width, out;  ///< of a flat face; of the surface from the axis, at the start [m]
-    std::vector<Index> particles;
   };
   struct Place {
     double across, along, out;  ///< angle or way along the face, height above the base, distance from the axis
@@ -94,11 +96,9 @@ class LateralSurface {
   }
 
   /// A map of the surface, as an observer outside sees it: in each spot the particle that stands out farthest.
-  std::vector<Index> seen(const Face& f, const ParticlesView& p, double height) const {
-    double mean = 0;
-    for (const double r : p.radius) mean += r / double(p.size());
-    const double pitch = 0.25 * mean, width = f.round ? 2 * std::numbers::pi * f.out : f.width;
-    const long across = dimension_ == 2 ? 1 : std::max(8L, std::lround(width / pitch)), up = std::max(1L, std::lround(height / pitch));
+  std::vector<Index> seen(const Face& f, const ParticlesView& p, double low, double high) const {
+    const double pitch = pitch_, width = f.round ? 2 * std::numbers::pi * f.out : f.width;
+    const long across = dimension_ == 2 ? 1 : std::max(8L, std::lround(width / pitch)), up = std::max(1L, std::lround((high - low) / pitch));
     struct Spot {
       double out = -1e300;
       Index particle = 0;
@@ -107,7 +107,7 @@ class LateralSurface {
     const auto paint = [&](Index k, auto&& spot) {
       const Place at = place(f, p.position[k]);
       const double r = p.radius[k], x = dimension_ == 2 ? 0.5 : (f.round ? at.across * f.out : at.across + 0.5 * width) / pitch,
-                   y = at.along / pitch, reach = r / pitch;
+                   y = (at.along - low) / pitch, reach = r / pitch;
       for (long j = long(std::floor(y - reach)); j <= long(y + reach); ++j) {
         if (j < 0 || j >= up) continue;
         for (long i = dimension_ == 2 ? 0 : long(std::floor(x - reach)); i <= (dimension_ == 2 ? 0 : long(x + reach)); ++i) {
@@ -137,6 +137,7 @@ class LateralSurface {
   int dimension_;
   double thickness_;
   Vec3 axis_, base_;
+  double pitch_ = 0;  ///< of the map of the surface [m]
   std::vector<Face> faces_;
   std::vector<SurfaceCell> cells_;
   double area_ = 0;
