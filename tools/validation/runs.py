@@ -97,7 +97,8 @@ class Runner:
         return not self.only or any(part in case.name for part in self.only.split(","))
 
     def _is_finished(self, case):
-        return (self.folder / case.name / "summary.json").exists()
+        file = self.folder / case.name / "summary.json"
+        return file.exists() and not json.loads(file.read_text()).get("interrupted")
 
     def _run(self, case):
         folder = self.folder / case.name
