@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Time of the first 1000 steps on the specimen of a workflow: breccia_bench WORKFLOW [THREADS...]
+/// Time of the first 1000 steps on the specimen of a workflow: breccia_bench WORKFLOW [THREADS...] [--json FILE]
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <fstream>
 
 #include "breccia/contact_law.hpp"
 #include "breccia/protocol.hpp"
@@ -108,7 +109,15 @@ std::string published(const Workflow& w, int threads) {
   return "";
 }
 
-void measure(const Workflow& w, const Registry& registry, const std::vector<int>& threads) {
+/// Minima; `file` empty: nowhere.
+void write_json(const std::string& file, const std::vector<std::unique_ptr<Case>>& cases) {
+  if (file.empty()) return;
+  Json all = Json::array();
+  for (const auto& c : cases) all.push_back({{"threads", c->threads()}, {"seconds_per_1000_steps", 1e3 * c->least()}});
+  if (!(std::ofstream(file) << all.dump(2) << "\n")) throw UserError("cannot write " + file);
+}
+
+void measure(const Workflow& w, const Registry& registry, const std::vector<int>& threads, const std::string& file) {
   Quiet host;
   const PackingOutcome packing = obtain_packing(registry, w.packing, {int(w.dimension), w.thickness, std::uint64_t(w.seed)}, default_cache_folder(), host);
   std::vector<std::unique_ptr<Case>> cases;
@@ -127,18 +136,23 @@ void measure(const Workflow& w, const Registry& registry, const std::vector<int>
   for (const auto& c : cases)
     fmt::print("{:>7}  {:>11.2f} {:>8.2f}  {:>9.2f} {:>9.2f} {:>9.2f} {:>10}  {:>8.2f}  {:>10.1f}\n", c->threads(), 1e9 * c->least() / bonds,
                1e9 * c->median() / bonds, 1e3 * c->least(), 1e3 * c->processor(), c->wall_time(), published(w, c->threads()), one / c->least(), 1e3 * c->rebuild());
+  write_json(file, cases);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    if (argc < 2) throw UserError("usage: breccia_bench WORKFLOW [THREADS...]");
+    if (argc < 2) throw UserError("usage: breccia_bench WORKFLOW [THREADS...] [--json FILE]");
     std::vector<int> threads;
-    for (int k = 2; k < argc; ++k) threads.push_back(std::stoi(argv[k]));
+    std::string file;
+    for (int k = 2; k < argc; ++k) {
+      if (std::string_view(argv[k]) != "--json") threads.push_back(std::stoi(argv[k]));
+      else if (++k < argc) file = argv[k];
+    }
     if (threads.empty()) threads = {1, 2};
     Registry registry;
-    measure(load_workflow(argv[1], {}, registry).workflow, registry, threads);
+    measure(load_workflow(argv[1], {}, registry).workflow, registry, threads, file);
   } catch (const std::exception& e) {
     fmt::print(stderr, "{}\n", e.what());
     return 2;

@@ -32,7 +32,7 @@ struct Contact {
   double spin;              ///< mean rotation of the two about n in this step [rad]
   double turn_x, turn_y, turn_z;     ///< rotation of j relative to i in this step [rad]
   double intact;            ///< 1 while the bond holds, else 0
-  double breakable;         ///< 0 for a bond that the protocol protects (`respects_protection`), else 1
+  double breakable;         ///< 1 while the bond holds and may fail; 0 also if the protocol protects it (`respects_protection`)
   double reduced_mass;      ///< m_i m_j/(m_i + m_j) [kg]
   double time_step;         // [s]
 };

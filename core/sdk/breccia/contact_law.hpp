@@ -72,7 +72,11 @@ template <class Law> class ContactLawOf final : public ContactLaw {
       detail::store_state<Law>(s, b.columns, k, all);
     });
   }
-  void evaluate(const PairBatch& b) override { detail::evaluate_pairs<Law>(*law_, b); }
+  void evaluate(const PairBatch& b) override {
+    if constexpr (detail::law_respects_protection<Law>())
+      if (b.guarded) return detail::evaluate_pairs<Law, true>(*law_, b);
+    detail::evaluate_pairs<Law, false>(*law_, b);
+  }
   void stiffness(const PairBatch& b, ContactStiffness* out) override {
     detail::for_each_contact<Law>(b, [&](const Contact& c, std::size_t k) { out[k - b.begin] = law_->stiffness(c); });
   }

@@ -82,8 +82,7 @@ struct ElasticBrittle {
     const double spring = std::sqrt(ux * ux + uy * uy + uz * uz), trial = ks * spring;
 
     const double bonded_normal = kn * (c.distance - c.rest_length);
-    const bool intact = c.intact > 0.5;
-    const bool breakable = intact & (c.breakable > 0.5);
+    const bool intact = c.intact > 0.5, breakable = c.breakable > 0.5;
     const bool tension = breakable & (bonded_normal >= tensile_strength * area);
     const bool shear = breakable & !tension & (trial >= shear_strength * area);
     const bool holds = intact & !tension & !shear;

@@ -52,7 +52,7 @@ struct Law {
   BRECCIA_KERNEL ContactForce operator()(const Contact& c, State& s) const {
     const double inverse_rest = 1 / c.rest_length, area = contact_area(c);
     const double ea = modulus * area, kn = ea * inverse_rest, ks = kn * shear_ratio;
-    const bool intact = c.intact > 0.5, damageable = intact & (c.breakable > 0.5);
+    const bool intact = c.intact > 0.5, damageable = c.breakable > 0.5;
 
     const double strain = (c.distance - c.rest_length) * inverse_rest;
     const double reached = hardening.plastic_strain(-strain);

@@ -55,7 +55,7 @@ struct Law {
     const double smaller = c.radius_i < c.radius_j ? c.radius_i : c.radius_j, touching = c.radius_i + c.radius_j;
     const double kn = normal_stiffness(smaller), ks = kn * shear_ratio, km = bending_stiffness(kn), kt = km * torsion_ratio;
     const double inverse_length = 1 / c.rest_length, inverse_touching = 1 / touching;
-    const bool was = c.intact > 0.5, breakable = was & (c.breakable > 0.5);
+    const bool was = c.intact > 0.5, breakable = c.breakable > 0.5;
 
     const double strain = (c.distance - c.rest_length) * inverse_length;
     const PlaneVector slid = follow_plane(c, s.shear_x, s.shear_y, s.shear_z);
