@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include "cli/verbs.hpp"
+#include "config/base_chain.hpp"
+#include "run/sweep_cases.hpp"
 #include "run/workflow.hpp"
 
 namespace breccia::cli {
@@ -10,6 +12,11 @@ int validate(const std::vector<std::filesystem::path>& files, const std::vector<
   int code = ok;
   for (const auto& file : files) {
     try {
+      if (is_study(follow_bases(read_text(file), file.string()))) {
+        const std::size_t cases = plan(Sweep(file)).cases.size();
+        fmt::print("{}: ok, a study of {} cases\n", file.string(), cases);
+        continue;
+      }
       std::vector<std::string> variants = workflow_variants(file);
       variants.insert(variants.begin(), "");
       for (const std::string& variant : variants) {

@@ -130,12 +130,23 @@ LoadedWorkflow loaded_from(Json config, const fs::path& file, const Registry& re
   return loaded;
 }
 
+/// What a person who mixes the two up should read, in place of a list of unknown keys.
+BaseChain not_a_study(BaseChain chain, const fs::path& file) {
+  if (is_study(chain)) throw UserError(file.string() + ": this is a study, not a workflow: `breccia sweep " + file.string() + "` runs it");
+  return chain;
+}
+
 }  // namespace
+
+bool is_study(const BaseChain& chain) {
+  const YamlPtr tree = chain.files.empty() ? nullptr : chain.files[0].tree;
+  return tree && (tree->find("workflow") || tree->find("workflows")) && !tree->find("packing") && !tree->find("protocol");
+}
 
 std::vector<std::string> workflow_variants(const fs::path& file) { return variants_of(follow_bases(read_text(file), file.string())); }
 
 LoadedWorkflow load_workflow(const fs::path& file, const std::vector<std::string>& overrides, Registry& registry, const std::string& variant) {
-  const BaseChain chain = follow_bases(read_text(file), file.string());
+  const BaseChain chain = not_a_study(follow_bases(read_text(file), file.string()), file);
   for (const fs::path& path : plugin_paths(chain)) registry.add(path);
   return loaded_from(read_config(chain, workflow_schema(), registry, overrides, {}, variant), file, registry, variant);
 }

@@ -75,6 +75,9 @@ const ParamSpec& workflow_schema();
 LoadedWorkflow load_workflow(const std::filesystem::path& file, const std::vector<std::string>& overrides, Registry& registry,
                              const std::string& variant = {});
 
+/// Whether the first file is a study for `breccia sweep`, by its keys.
+bool is_study(const BaseChain& chain);
+
 /// Names of the variants of a workflow file and its bases.
 std::vector<std::string> workflow_variants(const std::filesystem::path& file);
 

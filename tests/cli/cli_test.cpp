@@ -173,6 +173,11 @@ TEST_F(Cli, ShippedWorkflowsAreValidAndTheSchemaIsCurrent) {
   ASSERT_FALSE(files.empty());
   const Result r = call("validate" + files);
   EXPECT_EQ(r.code, 0) << r.text;
+  const std::string study = BRECCIA_SOURCE_DIR "/workflows/ouyang2017/study_w.yaml";
+  EXPECT_NE(r.text.find("study_w.yaml: ok, a study of 30 cases"), std::string::npos) << r.text;
+  const Result not_run = call("run '" + study + "'");
+  EXPECT_EQ(not_run.code, 2);
+  EXPECT_NE(not_run.text.find("is a study, not a workflow: `breccia sweep"), std::string::npos) << not_run.text;
   EXPECT_TRUE(call("schema").text == content(BRECCIA_SOURCE_DIR "/docs/workflow.schema.json"))
       << "renew it: breccia schema > docs/workflow.schema.json";
 }

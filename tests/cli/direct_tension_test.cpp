@@ -124,12 +124,17 @@ packing:
 material: {density: 2900 kg/m3}
 bonding: {tolerance: 0.001}
 contact_law:
-  type: elastic_brittle
-  bond_modulus: 20 GPa
-  stiffness_ratio: 2
-  tensile_strength: 1 GPa
-  shear_strength: 1 GPa
-  friction: 0.5
+  type: nonlinear_tension
+  normal_stiffness: 30 MN
+  shear_stiffness_ratio: 0.5
+  bending_ratio: 0.256
+  tensile_strain_limit: 0.1
+  tension_shape: 0.2
+  shear_strain_ratio: 3.5
+  shear_strain_cap_ratio: 10
+  internal_friction_angle: 45 deg
+  friction_angle: 39 deg
+  bond_width: 0.8
 damping: {translational: 0.3, rotational: 0.3}
 postprocessors:
   - type: stress
