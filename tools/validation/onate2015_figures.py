@@ -7,8 +7,8 @@ import re
 import shutil
 import xml.etree.ElementTree
 
-LABELS = {"cement_ucs": "70 psi (jacket)", "concrete_ucs": "unconfined", "shale_ucs": "shale, unconfined", "concrete_cyclic_40MPa": "40 MPa, cycles",
-          "cement_bts": "cement, Brazilian", "concrete_bts": "concrete, Brazilian", "shale_bts": "shale, Brazilian"}
+LABELS = {"cement_ucs": "70 psi (jacket)", "concrete_ucs": "unconfined", "shale_ucs": "shale (unconfined)", "concrete_cyclic_40MPa": "40 MPa with cycles",
+          "cement_bts": "cement (Brazilian)", "concrete_bts": "concrete (Brazilian)", "shale_bts": "shale (Brazilian)"}
 
 
 def label(run):
@@ -129,12 +129,14 @@ class Figures:
         self._show(report, "Fig. 11", "stress of the contacts over the axial stress at the peak, by the angle of the normal from the plane across the axis: "
                    + ", ".join(label(r) for r in runs), files)
 
+    def _frame_times(self, run):
+        return [float(s.get("timestep")) for s in xml.etree.ElementTree.parse(run.folder / "particles.pvd").iter("DataSet")]
+
     def _frames_at(self, run, wanted):
         """{number of a frame: its strain between the platens} of the frames nearest to these strains."""
         time, strain = run.curve("time_s"), run.curve("platen_strain")
-        sets = xml.etree.ElementTree.parse(run.folder / "particles.pvd").iter("DataSet")
         of_frame = []
-        for at in (float(s.get("timestep")) for s in sets):
+        for at in self._frame_times(run):
             of_frame.append(strain[min(range(len(time)), key=lambda k: abs(time[k] - at))])
         nearest = [min(range(len(of_frame)), key=lambda k: abs(of_frame[k] - e)) for e in wanted] if of_frame else []
         return {k: of_frame[k] for k in nearest}
@@ -146,12 +148,12 @@ class Figures:
             return next((r for r in runs[workflow] if (r.folder / "particles.pvd").exists()), None)
 
         damage = {"low": 0, "high": 1}
-        for number, workflow, caption in [("Fig. 17", "cement_ucs", "cement after uniaxial compression: damage, displacement, cracks"),
-                                          ("Beside Fig. 22", "concrete_ucs", "concrete after uniaxial compression: damage, displacement, cracks")]:
+        for number, workflow, caption in [("Fig. 17", "cement_ucs", "cement after uniaxial compression: damage, the same inside, displacement"),
+                                          ("Beside Fig. 22", "concrete_ucs", "concrete after uniaxial compression: damage, the same inside, displacement")]:
             run = has_frames(workflow)
             if run:
-                out = self._render(run, [{"show": "specimen", **damage}, {"show": "displacement"}, {"show": "cracks"}], workflow)
-                self._show(report, number, caption, [self._take(out / f"{n}.png", f"{workflow}_{n}.png") for n in ("specimen", "displacement", "cracks")])
+                out = self._render(run, [{"show": "specimen", **damage}, {"show": "cutaway", "cut": "half", **damage}, {"show": "displacement"}], workflow)
+                self._show(report, number, caption, [self._take(out / f"{n}.png", f"{workflow}_{n}.png") for n in ("specimen", "cutaway", "displacement")])
         run = has_frames("cement_triaxial_500psi")
         if run:
             frames = self._frames_at(run, (0.0128, 0.0155, 0.0180, 0.0200))
@@ -163,6 +165,14 @@ class Figures:
                            [self._take(out / f"{p['name']}.png", f"cement_500psi_{p['name']}.png") for p in pictures])
         run = has_frames("cement_bts")
         if run:
-            out = self._render(run, [{"show": "displacement", "field": "displacement_x", "colour_map": "blue_red"}, {"show": "cracks"}], "cement_bts")
-            self._show(report, "Fig. 21", "cement after the Brazilian test: displacement across the load, cracks",
+            # The first frame in which the stress has fallen to half its peak; the colours end at a quarter of the way of the platens.
+            time, stress, strain = run.curve("time_s"), run.curve("tensile_stress_Pa"), run.curve("diametral_strain")
+            peak = stress.index(max(stress))
+            fallen = next((k for k in range(peak, len(stress)) if stress[k] < 0.5 * stress[peak]), len(stress) - 1)
+            frames = self._frame_times(run)
+            frame = next((k for k, at in enumerate(frames) if at >= time[fallen]), len(frames) - 1)
+            reach = 0.25 * strain[fallen] * run.get("brazilian.diameter_m")
+            out = self._render(run, [{"show": "displacement", "field": "displacement_x", "colour_map": "blue_red", "frame": frame, "low": -reach, "high": reach},
+                                     {"show": "cracks", "frame": frame}], "cement_bts")
+            self._show(report, "Fig. 21", f"cement in the Brazilian test, loaded along y, {frames[frame] * 1e3:.1f} ms after the start: displacement across the load, cracks",
                        [self._take(out / f"{n}.png", f"cement_bts_{n}.png") for n in ("displacement", "cracks")])

@@ -71,7 +71,7 @@ class Runner:
         """Any other verb of the program; its words are shown only when it fails."""
         done = subprocess.run([self.program, *map(str, arguments)], cwd=self.root, capture_output=True, text=True)
         if done.returncode:
-            sys.exit(f"breccia {arguments[0]} failed:\n{done.stdout}{done.stderr}")
+            sys.exit(f"breccia {' '.join(map(str, arguments))} failed:\n{done.stdout}{done.stderr}")
 
     def run(self, cases):
         """Results in the order of the cases; a failed run ends it all, with its log. Of a part (`only`), or when no runs are

@@ -136,8 +136,10 @@ ChartLayout layout_of(const Chart& chart, const Sheet& sheet) {
   l.bottom = 14 * l.unit;
   l.top = l.height - 4 * l.unit;
   if (chart.equal_scales) {
-    const double wide = l.right - l.left, ratio = (l.left_axis.high - l.left_axis.low) / (l.x_axis.high - l.x_axis.low);
-    l.top = l.bottom + wide * ratio;
+    const double wide = l.right - l.left, scale = wide / (l.x_axis.high - l.x_axis.low);
+    // High enough for the title of its axis.
+    l.left_axis.high = std::max(l.left_axis.high, l.left_axis.low + 45 * l.unit / scale);
+    l.top = l.bottom + scale * (l.left_axis.high - l.left_axis.low);
     l.height = l.top + 4 * l.unit;
   }
   l.writing = writing_on(sheet.background);

@@ -40,7 +40,7 @@ std::optional<Chart> strength_envelope_chart(const std::vector<ComparisonRequest
   for (std::size_t k = 0; k < tests.size(); ++k) {
     const double middle = 0.5 * (tests[k].sigma_3 + tests[k].sigma_1), radius = 0.5 * (tests[k].sigma_1 - tests[k].sigma_3);
     farthest = std::max(farthest, middle);
-    ChartLine circle{runs[which[k]].label, {}, {}, series_style(which[k]), false, false, double(k + 1) / double(tests.size())};
+    ChartLine circle{runs[which[k]].label, {}, {}, series_style(which[k]), false, false, false, double(k + 1) / double(tests.size())};
     for (int step = 0; step <= 90; ++step) {
       const double turn = std::numbers::pi * step / 90;
       circle.x.push_back((middle - radius * std::cos(turn)) * unit.factor);
