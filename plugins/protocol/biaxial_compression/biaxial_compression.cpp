@@ -2,16 +2,13 @@
 /// Biaxial compression of a rectangle of discs: what triaxial compression is in two dimensions.
 /// Source: named as work to come by Ouyang, Yang & Chen (2017), Appl. Sci. 7(7), 686; the procedure is that of Oñate et al.
 /// (2015), section 10.1.1.
-#include "breccia/protocol_tools/axial_test.hpp"
+#include "breccia/protocol_tools/confined_test.hpp"
 
 namespace breccia {
 
-class BiaxialCompression final : public AxialTest {
+class BiaxialCompression final : public ConfinedTest {
  public:
-  struct Config : AxialConfig {
-    std::optional<double> confining_pressure;
-    PressureArea pressure_area;
-  };
+  using Config = ConfinedConfig;
 
   static void describe(Schema<Config>& s) {
     s.summary("Two dimensions: equal pressure all round, then compression along the axis with the lateral pressure held")
@@ -22,26 +19,15 @@ class BiaxialCompression final : public AxialTest {
             "The pressure acts on the discs that are seen from outside, each over its share of the side's length times the thickness. "
             "There is no stress out of plane to control: discs have none.\n\n"
             "Curves: those of `triaxial_compression`.");
-    s.param("confining_pressure", &Config::confining_pressure).unit("Pa").at_least(0).example("20 MPa")
-        .doc("on all four sides at first, then held on the two lateral ones");
-    describe_axial(s, 0.0);
-    describe_pressure_area(s, &Config::pressure_area);
-    s.exactly_one_of({"confining_pressure", "stages"});
+    describe_confined(s, "on all four sides at first, then held on the two lateral ones");
   }
 
-  explicit BiaxialCompression(const Config& c) : AxialTest(c, confining(c), std::make_unique<PressureConfinement>(c.pressure_area), std::nullopt) {}
+  using ConfinedTest::ConfinedTest;
 
   void setup(const SimulationView& view, LoadControl& control, Recorder& recorder, Host& host) override {
     if (view.dimension != 2)
       throw UserError("protocol biaxial_compression: this is a test of discs (`dimension: 2`); of spheres it is triaxial_compression");
-    AxialTest::setup(view, control, recorder, host);
-  }
-
- private:
-  static std::vector<Stage> confining(const Config& c) {
-    Stage first;
-    first.confining_pressure = c.confining_pressure;
-    return {first};
+    ConfinedTest::setup(view, control, recorder, host);
   }
 };
 

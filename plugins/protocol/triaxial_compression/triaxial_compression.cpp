@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Triaxial compression: hydrostatic confinement, then loading along the axis while the lateral pressure is held.
 /// Source: Oñate et al. (2015), section 10.1.1 (procedure, forces on the surface particles); servo and stages are ours.
-#include "breccia/protocol_tools/axial_test.hpp"
+#include "breccia/protocol_tools/confined_test.hpp"
 
 namespace breccia {
 
-class TriaxialCompression final : public AxialTest {
+class TriaxialCompression final : public ConfinedTest {
  public:
-  struct Config : AxialConfig {
-    std::optional<double> confining_pressure;
-    PressureArea pressure_area;
-  };
+  using Config = ConfinedConfig;
 
   static void describe(Schema<Config>& s) {
     s.summary("Hydrostatic confinement, then compression along the axis with the lateral pressure held")
@@ -25,21 +22,10 @@ class TriaxialCompression final : public AxialTest {
             "confining stage. In two dimensions this is biaxial compression.\n\n"
             "Curves: those of `uniaxial_compression`; `confining_pressure` (asked for), `confining_pressure_applied` (sum of the forces over "
             "the lateral surface as measured), `deviatoric_platen_stress` (platen stress minus the applied pressure).");
-    s.param("confining_pressure", &Config::confining_pressure).unit("Pa").at_least(0).example("500 psi")
-        .doc("hydrostatic at first, then held on the lateral surface");
-    describe_axial(s, 0.0);
-    describe_pressure_area(s, &Config::pressure_area);
-    s.exactly_one_of({"confining_pressure", "stages"});
+    describe_confined(s, "hydrostatic at first, then held on the lateral surface");
   }
 
-  explicit TriaxialCompression(const Config& c) : AxialTest(c, confining(c), std::make_unique<PressureConfinement>(c.pressure_area), std::nullopt) {}
-
- private:
-  static std::vector<Stage> confining(const Config& c) {
-    Stage first;
-    first.confining_pressure = c.confining_pressure;
-    return {first};
-  }
+  using ConfinedTest::ConfinedTest;
 };
 
 }  // namespace breccia
