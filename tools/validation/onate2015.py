@@ -143,19 +143,21 @@ def series(report, runs, group, material, unit, pascal):
         return
     report.text(f"## {material.capitalize()}: strength and ductility against confinement",
                 "Differential stress (axial less confining) of the platens. Residual: at the end of the run, over the peak.")
-    rows, peaks, residuals = [], [], []
+    rows, axial, peaks, residuals = [], [], [], []
     for w, pressure in present.items():
         points = [confined(r) for r in runs[w]]
         peak = [max(s for _, s, _ in p) for p in points]
         last = [p[-1][1] / m for p, m in zip(points, peak)]
         at = [max(p, key=lambda q: q[1])[0] for p in points]
         peaks.append(mean(peak))
+        axial.append(mean(peak) + pressure * pascal)
         residuals.append(mean(last))
-        rows.append([f"{pressure} {unit}", f"{mean(peak) * 1e-6:.1f}", f"{mean(peak) * 1e-6 + pressure * pascal * 1e-6:.1f}", f"{mean(at):.2%}",
+        rows.append([f"{pressure} {unit}", f"{mean(peak) * 1e-6:.1f}", f"{axial[-1] * 1e-6:.1f}", f"{mean(at):.2%}",
                      f"{mean(last):.2f}", f"{mean([p[-1][0] for p in points]):.2%}"])
     report.table(["confining pressure", "peak, differential [MPa]", "axial [MPa]", "strain at the peak", "residual", "run to"], rows)
-    for text, values in [("strength rises with the confinement", peaks), ("from brittle to ductile: the residual rises with the confinement", residuals)]:
-        holds = all(a < b or abs(b - 1) < 0.02 for a, b in zip(values, values[1:]))
+    for text, values in [("strength (axial stress) rises with the confinement", axial), ("differential strength rises with the confinement", peaks),
+                         ("from brittle to ductile: the residual rises with the confinement", residuals)]:
+        holds = all(a < b or (values is residuals and b > 0.98) for a, b in zip(values, values[1:]))
         report.text(f"{text[0].upper() + text[1:]}: {kept(holds)}.")
         if not holds:
             report.missed.append(f"{material}: {text}")
