@@ -16,7 +16,8 @@ class Drawing:
 
     def _show(self, report, number, caption, files):
         if files:
-            report.text(f"**{number}.** {caption[0].upper() + caption[1:]}.", " ".join(f"![{caption}]({self.folder.name}/{f})" for f in files))
+            short = caption.split(". ")[0]
+            report.text(f"**{number}.** {caption[0].upper() + caption[1:]}.", " ".join(f"![{short}]({self.folder.name}/{f})" for f in files))
 
     def _take(self, source, name):
         shutil.copy(source, self.folder / name)

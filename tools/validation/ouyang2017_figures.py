@@ -7,7 +7,7 @@ NO_ENVELOPE = ("--set", "strength_envelope=false")
 
 def peak(run):
     """Number of the sample at which the load was largest."""
-    stress = run.curve("platen_stress_Pa")
+    stress = run.curve(next(c for c in ("deviatoric_platen_stress_Pa", "platen_stress_Pa", "tensile_stress_Pa") if run.has_curve(c)))
     return max(range(len(stress)), key=lambda k: abs(stress[k]))
 
 
@@ -45,7 +45,7 @@ class Figures(Drawing):
             files.append(self._take(out / "curves.png", rock + "_tension.png"))
         self._show(report, number, f"{title}: stress against strain in compression up to the peak and in direct tension", files)
 
-    def cracks(self, report, number, title, run, name, later, unit="ms", size=420, of="load"):
+    def cracks(self, report, number, title, run, name, later, size=360):
         """The specimen at the peak and `later` [s] after it, as far as the run went, particles coloured by the share of their bonds that broke."""
         if not run or not (run.folder / "particles.pvd").exists():
             return
@@ -57,10 +57,10 @@ class Figures(Drawing):
             frame = min(range(len(frames)), key=lambda f: abs(frames[f] - at_peak - after))
             pictures.append({"show": "specimen", "name": f"frame_{k}", "frame": frame, "field": "damage", "low": 0, "high": 1, "colour_map": "orange_red"})
             distance = frames[frame] - at_peak
-            texts.append(f"{distance * 1e3:+.2f} ms ({broken_at(run, frames[frame])} bonds broken)")
+            texts.append(f"{distance * 1e6:+.0f} µs ({broken_at(run, frames[frame])} bonds broken)")
         out = self._render(run, pictures + [{"show": "cracks"}], name, size)
         files = [self._take(out / f"{p['name']}.png", f"{name}_{p['name']}.png") for p in pictures] + [self._take(out / "cracks.png", f"{name}_cracks.png")]
-        self._show(report, number, f"{title}. Damage: share of a particle's bonds that are broken (the paper's black is 0, its red 1), at the peak {of} and after it: "
+        self._show(report, number, f"{title}. Damage: share of a particle's bonds that are broken (the paper's black is 0, its red 1), at the peak load and after it: "
                    + ", ".join(texts) + "; last the broken bonds at the end of the run", files)
 
     def curves(self, report, number, caption, runs, labels, name, x, y):
