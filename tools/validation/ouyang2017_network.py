@@ -4,6 +4,7 @@
 Energy of a bond (Eqs. 1-5 at small strain): d0/2 (k_n e_n^2 + k_s e_s^2) + k_m/2 (theta_i - theta_j)^2."""
 import base64
 import math
+import random
 import re
 import struct
 
@@ -57,6 +58,8 @@ def array(text, name, section=""):
 
 
 class Network:
+    """Discs and bonds of the first frame of a run."""
+
     def __init__(self, folder):
         particles = (folder / "particles_000000.vtp").read_text()
         bonds = (folder / "bonds_000000.vtp").read_text()
@@ -71,12 +74,21 @@ class Network:
         self.lower = {k for k, y in enumerate(self.y) if y - low <= self.largest}
         self.upper = {k for k, y in enumerate(self.y) if low + self.height - y <= self.largest}
 
-    def tension(self, kn, ks, km, reference_length=None, rotations=True):
+    def uniform_strain(self, kn, ks):
+        """Modulus [Pa] if all discs moved with a uniform strain in an isotropic specimen: an upper bound."""
+        s = ks / kn
+        lengths = sum(math.hypot(self.x[j] - self.x[i], self.y[j] - self.y[i]) for i, j in self.bonds)
+        axial, lateral = (3 + s) / 8, (1 - s) / 8
+        return kn * lengths / self.width / self.height * (axial - lateral ** 2 / axial)
+
+    def tension(self, kn, ks, km, reference_length=None, rotations=True, drop=0.0):
         """Modulus [Pa] and Poisson's ratio (of the gauges) for ends held as by `direct_tension`, 1 m thick. With a `reference_length` [m]
-        forces go with displacements over this instead of over d0."""
+        forces go with displacements over this instead of over d0; `drop` leaves out this share of the bonds at random."""
         n, held = len(self.x), self.lower | self.upper
-        terms = []
+        terms, chance = [], random.Random(1)
         for i, j in self.bonds:
+            if chance.random() < drop:
+                continue
             dx, dy = self.x[j] - self.x[i], self.y[j] - self.y[i]
             d = math.hypot(dx, dy)
             stiff = 1 / (reference_length or d)
