@@ -4,8 +4,8 @@ import csv
 import json
 import math
 import re
-import shutil
-import xml.etree.ElementTree
+
+from .figures import Drawing
 
 LABELS = {"cement_ucs": "70 psi (jacket)", "concrete_ucs": "unconfined", "shale_ucs": "shale (unconfined)", "concrete_cyclic_40MPa": "40 MPa with cycles",
           "cement_bts": "cement (Brazilian)", "concrete_bts": "concrete (Brazilian)", "shale_bts": "shale (Brazilian)"}
@@ -17,42 +17,7 @@ def label(run):
     return LABELS.get(name) or (f"{pressure[1]} {pressure[2]}" if pressure else name)
 
 
-class Figures:
-    """Drawn by `breccia render` and `breccia compare`; copied to the folder beside the report."""
-
-    def __init__(self, runner, folder):
-        self.runner, self.folder, self.work = runner, folder, runner.folder / "figures"
-        if folder.exists():
-            shutil.rmtree(folder)
-        folder.mkdir(parents=True)
-        shutil.rmtree(self.work, ignore_errors=True)
-
-    def _show(self, report, number, caption, files):
-        if files:
-            report.text(f"**{number}.** {caption[0].upper() + caption[1:]}.", " ".join(f"![{caption}](onate2015/{f})" for f in files))
-
-    def _take(self, source, name):
-        shutil.copy(source, self.folder / name)
-        return name
-
-    def _reduced(self, run, name, columns):
-        """A result folder with columns of our own: {header: values}, at most 2000 rows."""
-        folder = self.work / "reduced" / name / run.case.name
-        folder.mkdir(parents=True, exist_ok=True)
-        rows = list(zip(*columns.values()))
-        rows = rows[::max(1, len(rows) // 2000)]
-        with open(folder / "curves.csv", "w", newline="") as file:
-            csv.writer(file).writerows([list(columns), *rows])
-        shutil.copy(run.folder / "summary.json", folder)
-        return folder
-
-    def _compare(self, folders, labels, name, comparisons, *settings):
-        out = self.work / name
-        given = ["--set", f"comparisons={json.dumps(comparisons)}"] if comparisons else []
-        self.runner.call("compare", *folders, *[x for text in labels for x in ("--labels", text)], "-o", out, "--overwrite",
-                         "--set", "size=900", *given, *settings)
-        return out
-
+class Figures(Drawing):
     def stress_strain(self, report, number, caption, runs, name, labels=None):
         from .onate2015 import confined
         if not runs:
@@ -95,11 +60,6 @@ class Figures:
                     f"{e['largest_deviation_Pa'] * 1e-6:.1f} MPa off. The Brazilian circle, not fitted, is that of the elastic stress in the middle of the disc.")
         self._show(report, "Mohr circles", f"{material}: strength envelope", [self._take(out / "strength_envelope.png", f"{material}_envelope.png")])
 
-    def _render(self, run, pictures, name, size=500):
-        out = self.work / "render" / name
-        self.runner.call("render", run.folder, "--output", out, "--set", f"pictures={json.dumps(pictures)}", "--set", f"size={size}")
-        return out
-
     def contacts(self, report, runs):
         runs = [r for r in runs if (r.folder / "tables/contact_stress_at_100_percent.csv").exists()]
         report.text("## Stress of the contacts over the axial stress (Fig. 11)", "Paper: 0.55 to 0.65 at all angles, uniaxial and triaxial. "
@@ -129,14 +89,11 @@ class Figures:
         self._show(report, "Fig. 11", "stress of the contacts over the axial stress at the peak, by the angle of the normal from the plane across the axis: "
                    + ", ".join(label(r) for r in runs), files)
 
-    def _frame_times(self, run):
-        return [float(s.get("timestep")) for s in xml.etree.ElementTree.parse(run.folder / "particles.pvd").iter("DataSet")]
-
     def _frames_at(self, run, wanted):
         """{number of a frame: its strain between the platens} of the frames nearest to these strains."""
         time, strain = run.curve("time_s"), run.curve("platen_strain")
         of_frame = []
-        for at in self._frame_times(run):
+        for at in self._times_of_frames(run):
             of_frame.append(strain[min(range(len(time)), key=lambda k: abs(time[k] - at))])
         nearest = [min(range(len(of_frame)), key=lambda k: abs(of_frame[k] - e)) for e in wanted] if of_frame else []
         return {k: of_frame[k] for k in nearest}
@@ -169,7 +126,7 @@ class Figures:
             time, stress, strain = run.curve("time_s"), run.curve("tensile_stress_Pa"), run.curve("diametral_strain")
             peak = stress.index(max(stress))
             fallen = next((k for k in range(peak, len(stress)) if stress[k] < 0.5 * stress[peak]), len(stress) - 1)
-            frames = self._frame_times(run)
+            frames = self._times_of_frames(run)
             frame = next((k for k, at in enumerate(frames) if at >= time[fallen]), len(frames) - 1)
             reach = 0.25 * strain[fallen] * run.get("brazilian.diameter_m")
             out = self._render(run, [{"show": "displacement", "field": "displacement_x", "colour_map": "blue_red", "frame": frame, "low": -reach, "high": reach},

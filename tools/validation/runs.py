@@ -4,6 +4,7 @@ import concurrent.futures
 import csv
 import json
 import pathlib
+import shutil
 import statistics
 import subprocess
 import sys
@@ -15,7 +16,7 @@ from dataclasses import dataclass, field
 class Case:
     """One run: a workflow, a seed, and settings changed for an experiment."""
     workflow: str                 # below workflows/, without .yaml
-    seed: int = 1
+    seed: int | None = 1          # None: the workflow's own
     settings: tuple = ()          # "path=value"
     label: str = ""               # of an experiment
     pictures: bool = False
@@ -23,7 +24,7 @@ class Case:
 
     @property
     def name(self):
-        return "_".join(filter(None, [pathlib.Path(self.workflow).name, self.variant, self.label, f"seed{self.seed}"]))
+        return "_".join(filter(None, [pathlib.Path(self.workflow).name, self.variant, self.label, "" if self.seed is None else f"seed{self.seed}"]))
 
 
 @dataclass
@@ -93,6 +94,27 @@ class Runner:
         self.missing += [c.name for c in cases if c not in results]
         return [results[c] for c in cases if c in results]
 
+    def sweep(self, study, expected):
+        """Rows of results.csv of a study below workflows/ (without .yaml), values as text: those of its finished cases.
+        Without --keep it is run anew, with it (and where it was stopped) it goes on; `expected` is its number of cases."""
+        folder = self.folder / study.rsplit("/", 1)[-1]
+        wanted = not self.report and (not self.only or any(part in folder.name for part in self.only.split(",")))
+        if wanted and not self.keep and folder.exists():
+            shutil.rmtree(folder)
+        rows = []
+        if wanted or folder.exists():
+            command = [self.program, "sweep", self.root / f"workflows/{study}.yaml", "--output", folder]
+            with open(self.folder / (folder.name + ".log"), "w") as log:
+                done = subprocess.run([*command, *(["--jobs", str(self.jobs)] if wanted else ["--collect"])], cwd=self.root,
+                                      stdout=log, stderr=subprocess.STDOUT)
+            if done.returncode not in (0, 1):
+                sys.exit(f"{folder.name} failed: see {self.folder / (folder.name + '.log')}")
+            with open(folder / "results.csv") as file:
+                rows = [row for row in csv.DictReader(file) if row["status"] == "finished"]
+        if len(rows) < expected:
+            self.missing.append(f"{folder.name} ({expected - len(rows)} of {expected} cases)")
+        return rows
+
     def _is_wanted(self, case):
         return not self.only or any(part in case.name for part in self.only.split(","))
 
@@ -106,8 +128,8 @@ class Runner:
         if wanted and not (self.keep and self._is_finished(case)):
             settings = list(case.settings) if case.pictures else [*case.settings, "outputs=[]", "renderers=[]"]
             command = [self.program, "run", self.root / f"workflows/{case.workflow}.yaml", "--output", folder, "--overwrite",
-                       "--threads", "1", "--set", f"seed={case.seed}"] + (["--variant", case.variant] if case.variant else [])
-            for s in settings:
+                       "--threads", "1"] + (["--variant", case.variant] if case.variant else [])
+            for s in settings if case.seed is None else [f"seed={case.seed}", *settings]:
                 command += ["--set", s]
             with open(self.folder / (case.name + ".log"), "w") as log:
                 if subprocess.run(command, cwd=self.root, stdout=log, stderr=subprocess.STDOUT).returncode:

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the reports' figures have in common: drawn by `breccia render` and `breccia compare`, copied beside the report."""
+import csv
+import json
+import shutil
+import xml.etree.ElementTree
+
+
+class Drawing:
+    def __init__(self, runner, folder):
+        self.runner, self.folder, self.work = runner, folder, runner.folder / "figures"
+        if folder.exists():
+            shutil.rmtree(folder)
+        folder.mkdir(parents=True)
+        shutil.rmtree(self.work, ignore_errors=True)
+
+    def _show(self, report, number, caption, files):
+        if files:
+            short = caption.split(". ")[0]
+            report.text(f"**{number}.** {caption[0].upper() + caption[1:]}.", " ".join(f"![{short}]({self.folder.name}/{f})" for f in files))
+
+    def _take(self, source, name):
+        shutil.copy(source, self.folder / name)
+        return name
+
+    def _reduced(self, run, name, columns):
+        """A result folder with columns of our own: {header: values}, at most 2000 rows."""
+        folder = self.work / "reduced" / name / run.case.name
+        folder.mkdir(parents=True, exist_ok=True)
+        rows = list(zip(*columns.values()))
+        rows = rows[::max(1, len(rows) // 2000)]
+        with open(folder / "curves.csv", "w", newline="") as file:
+            csv.writer(file).writerows([list(columns), *rows])
+        shutil.copy(run.folder / "summary.json", folder)
+        return folder
+
+    def _compare(self, folders, labels, name, comparisons, *settings):
+        out = self.work / name
+        given = ["--set", f"comparisons={json.dumps(comparisons)}"] if comparisons else []
+        self.runner.call("compare", *folders, *[x for text in labels for x in ("--labels", text)], "-o", out, "--overwrite",
+                         "--set", "size=900", *given, *settings)
+        return out
+
+    def _render(self, run, pictures, name, size=500):
+        out = self.work / "render" / name
+        self.runner.call("render", run.folder, "--output", out, "--set", f"pictures={json.dumps(pictures)}", "--set", f"size={size}")
+        return out
+
+    @staticmethod
+    def _times_of_frames(run):
+        sets = xml.etree.ElementTree.parse(run.folder / "particles.pvd").iter("DataSet")
+        return [float(s.get("timestep")) for s in sets]
