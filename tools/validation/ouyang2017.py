@@ -61,7 +61,7 @@ def validate(runner, seeds):
     report.text("## Curves and cracks")
     figures.load_displacement(report, runs["baseline_a_ucs"], runs["baseline_a_tension"])
     for number, name, title in [("Fig. 8", "baseline_a", "specimen A"), ("Fig. 15", "lac_du_bonnet", ROCKS["lac_du_bonnet"]), ("Fig. 17", "quartzite", ROCKS["quartzite"])]:
-        size = 360 if number == "Fig. 8" else 500
+        size = 360 if number == "Fig. 8" else 430
         if number != "Fig. 8":
             figures.rock(report, {"Fig. 15": "Fig. 14", "Fig. 17": "Fig. 16"}[number], name, title, runs[name + "_ucs"], runs[name + "_tension"])
         figures.cracks(report, number, f"{title} in compression", runs[name + "_ucs"], name + "_ucs", (1e-4,) if name == "baseline_a" else (1e-4, 2e-4), size)
