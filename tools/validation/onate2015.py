@@ -26,7 +26,9 @@ NUMBERS = [  # workflow, what, key, published, unit, target
     ("cement_ucs", "cement, compressive strength in the jacket, experiment [MPa]", "peak_stress_Pa", 17.0e6, 1e6, LABORATORY),
     ("cement_bts", "cement, Brazilian strength, paper's model [MPa]", TENSILE, 3.0e6, 1e6, MODEL),
     ("cement_bts", "cement, Brazilian strength, experiment [MPa]", TENSILE, 2.9e6, 1e6, None),
-    ("cement_usc", "cement, differential stress where uniaxial strain bends, experiment [MPa]", "limit", 10e6, 1e6, LABORATORY),
+    ("cement_usc", "cement, uniaxial strain: differential stress at the end of the linear part (slope down to 80 %), experiment, about [MPa]",
+     "limit", 10e6, 1e6, LABORATORY),
+    ("cement_usc", "the same where the slope is down to half [MPa]", "half", 10e6, 1e6, None),
     ("concrete_ucs", "concrete, compressive strength, experiment, 32.8 to 38 [MPa]", "peak_stress_Pa", 37e6, 1e6, LABORATORY),
     ("concrete_bts", "concrete, Brazilian strength, experiment [MPa]", TENSILE, 3.0e6, 1e6, LABORATORY),
     ("shale_ucs", "shale, compressive strength, paper's model [MPa]", "peak_stress_Pa", 48e6, 1e6, MODEL),
@@ -73,7 +75,8 @@ def validate(runner, seeds):
 
 
 def numbers_of(runs, key):
-    values = [limit_stress(r) if key == "limit" else r.get(key) for r in runs]
+    share = {"limit": 0.8, "half": 0.5}.get(key)
+    values = [limit_stress(r, share) if share else r.get(key) for r in runs]
     return [v for v in values if v is not None]
 
 
@@ -112,8 +115,8 @@ def made(report, runs):
     report.table(["", "spheres", "paper's", "bonds", "porosity", "N_c", "steps", "time step [ns]", "wall time [min]", "energy error", "seeds"], rows)
 
 
-def limit_stress(run):
-    """Of uniaxial strain: the differential stress where the slope over 0.02 % of strain first falls to half the slope at the start [Pa]."""
+def limit_stress(run, share):
+    """Of uniaxial strain: the differential stress where the slope over 0.02 % of strain first falls to this share of the slope at the start [Pa]."""
     strain, stress = run.curve("platen_strain"), run.curve("deviatoric_platen_stress_Pa")
     start = next((k for k, e in enumerate(strain) if e >= 2e-4), None)
     if start is None or strain[start] <= strain[0]:
@@ -123,7 +126,7 @@ def limit_stress(run):
     for k, e in enumerate(strain):
         while strain[low] < e - 2e-4:
             low += 1
-        if e > 4e-4 and low < k and (stress[k] - stress[low]) / (e - strain[low]) < 0.5 * at_first:
+        if e > 4e-4 and low < k and (stress[k] - stress[low]) / (e - strain[low]) < share * at_first:
             return stress[low]
     return None
 

@@ -116,19 +116,23 @@ def in_compression(run):
     bonds, strain = run.get("coordination_number"), run.get("peak_strain")
     modulus = E_0[run.case.workflow.split("/")[1].split("_")[0]]
     return [written(run, "youngs_modulus_Pa", modulus, 3), f"{bonds:.2f}", f"{40 * run.get('porosity') / bonds:.3f}", written(run, "peak_stress_Pa", 1e6, 2),
-            f"{strain:.3%}" if strain else "", written(run, "bonds_broken_tension", 1, 0), written(run, "bonds_broken_shear", 1, 0),
+            f"{strain:.3%}" if strain else "", *broken(run),
             written(run, "uniaxial_compression.unbalanced_force_ratio_max_before_peak", 1, 3)]
 
 
+def broken(run):
+    """All, in tension, in shear; the others in both at once."""
+    return [written(run, "damage.bonds_broken", 1, 0), written(run, "bonds_broken_tension", 1, 0), written(run, "bonds_broken_shear", 1, 0)]
+
+
 def in_tension(run):
-    return [f"{run.get('coordination_number'):.2f}", written(run, "brazilian_tensile_strength_Pa", 1e6, 2), written(run, "bonds_broken_tension", 1, 0),
-            written(run, "bonds_broken_shear", 1, 0)]
+    return [f"{run.get('coordination_number'):.2f}", written(run, "brazilian_tensile_strength_Pa", 1e6, 2), *broken(run)]
 
 
 KINDS = {
     "compression": ("uniaxial compression", in_compression,
-                    ["E/E_0", "N_c", "40 P/N_c", "strength [MPa]", "strain at the peak", "broken in tension", "in shear", "unbalanced force ratio"]),
-    "tension": ("the Brazilian test", in_tension, ["N_c", "strength [MPa]", "broken in tension", "in shear"]),
+                    ["E/E_0", "N_c", "40 P/N_c", "strength [MPa]", "strain at the peak", "broken bonds", "in tension", "in shear", "unbalanced force ratio"]),
+    "tension": ("the Brazilian test", in_tension, ["N_c", "strength [MPa]", "broken bonds", "in tension", "in shear"]),
 }
 
 
