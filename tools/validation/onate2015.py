@@ -66,12 +66,7 @@ def validate(runner, seeds):
     study.tables(report, runner, found, seeds[0], figures)
     scaling(report, runner)
     report.text((runner.root / "tools/validation/onate2015_discussion.md").read_text())
-    targets = ["## Targets not met", ""] + ([f"- {m}" for m in report.missed] or ["None of those that were measured."]) + [""]
-    if runner.missing:
-        targets += ["Not run, and left out below: " + ", ".join(f"`{m}`" for m in runner.missing) + ".", ""]
-    report.lines[head:head] = targets
-    report.write(target / "onate2015.md")
-    print(f"wrote {target / 'onate2015.md'}; {len(report.missed)} targets not met, {len(runner.missing)} runs missing")
+    report.finish(target / "onate2015.md", head, runner.missing)
 
 
 def numbers_of(runs, key):

@@ -73,12 +73,7 @@ def validate(runner, seeds):
         study.tables(report, found, plain)
         study.network(report, {"specimen A": runs["baseline_a_tension"]} | {ROCKS[r]: runs[r + "_tension"] for r in ROCKS})
         report.text((runner.root / "tools/validation/ouyang2017_discussion.md").read_text())
-    targets = ["## Targets not met", ""] + ([f"- {m}" for m in report.missed] or ["None of those that were measured."]) + [""]
-    if runner.missing:
-        targets += ["Not run, and left out below: " + ", ".join(f"`{m}`" for m in runner.missing) + ".", ""]
-    report.lines[head:head] = targets
-    report.write(target / "ouyang2017.md")
-    print(f"wrote {target / 'ouyang2017.md'}; {len(report.missed)} targets not met, {len(runner.missing)} missing")
+    report.finish(target / "ouyang2017.md", head, runner.missing)
 
 
 def specimens(report, heading, runs, published, names=None):

@@ -27,6 +27,15 @@ class Report:
         return [what, f"{mean(values):.{digits}f}{scatter}", f"{published:.{digits}f}",
                 f"{away:+.1%}", verdict]
 
+    def finish(self, path, head, missing):
+        """Puts what was missed and what was not run before line `head`, writes the file and says so."""
+        targets = ["## Targets not met", ""] + ([f"- {m}" for m in self.missed] or ["None of those that were measured."]) + [""]
+        if missing:
+            targets += ["Not run, and left out below: " + ", ".join(f"`{m}`" for m in missing) + ".", ""]
+        self.lines[head:head] = targets
+        self.write(path)
+        print(f"wrote {path}; {len(self.missed)} targets not met, {len(missing)} missing")
+
     def write(self, path):
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text("\n".join(self.lines).rstrip() + "\n")
