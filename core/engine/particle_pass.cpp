@@ -11,46 +11,34 @@ namespace {
 
 constexpr std::size_t block = 256;  // grain of the sums: never depends on the thread count
 
-/// Advances one velocity vector; returns the energy that damping took.
-double advance(Vec3& v, const Vec3& load, double mass, double alpha, std::uint8_t held, double dt, double& boundary_work) {
-  Vec3 free = load;
-  if (held) [[unlikely]]
-    for (int k = 0; k < 3; ++k)
-      if (held >> k & 1) {
-        boundary_work -= load[k] * v[k] * dt;  // the hand that holds it opposes the resultant
-        free[k] = 0;
-      }
-  const double speed2 = v.squaredNorm();
-  Vec3 drag = Vec3::Zero();
-  if (alpha > 0 && speed2 > 0) {
-    Vec3 moving = v;
-    if (held) [[unlikely]]
-      for (int k = 0; k < 3; ++k)
-        if (held >> k & 1) moving[k] = 0;
-    const double m2 = held ? moving.squaredNorm() : speed2;
-    if (m2 > 0) drag = moving * (-alpha * std::sqrt(free.squaredNorm() / m2));
-  }
-  const Vec3 gain = (dt / mass) * (free + drag);
-  const double lost = -drag.dot(v + 0.5 * gain) * dt;
-  v += gain;
-  return lost;
-}
-
-/// The same for n particles that nothing holds, as one vector loop; vectors are three numbers each.
-BRECCIA_VECTOR_CLONES void advance_free(double* v, const double* load, const double* mass, std::size_t n, double alpha, double dt, double* lost) {
+/// Advances n velocity vectors, three numbers each, as one vector loop. Bits 0 to 2 of held >> shift: components that keep
+/// their velocity. Yields the energy that damping took, and the work of the hands that hold.
+BRECCIA_VECTOR_CLONES void advance(double* v, const double* load, const double* mass, const std::uint8_t* held, int shift, std::size_t n,
+                                   double alpha, double dt, double* lost, double* work) {
 #pragma omp simd
   for (std::size_t k = 0; k < n; ++k) {
-    const double vx = v[3 * k], vy = v[3 * k + 1], vz = v[3 * k + 2], fx = load[3 * k], fy = load[3 * k + 1], fz = load[3 * k + 2];
-    const double speed2 = vx * vx + (vy * vy + vz * vz), force2 = fx * fx + (fy * fy + fz * fz);
+    const int bits = held[k] >> shift;
+    const double ox = bits & 1 ? 0.0 : 1.0, oy = bits & 2 ? 0.0 : 1.0, oz = bits & 4 ? 0.0 : 1.0;
+    const double vx = v[3 * k], vy = v[3 * k + 1], vz = v[3 * k + 2], lx = load[3 * k], ly = load[3 * k + 1], lz = load[3 * k + 2];
+    const double fx = ox * lx, fy = oy * ly, fz = oz * lz, ux = ox * vx, uy = oy * vy, uz = oz * vz;
+    const double speed2 = ux * ux + (uy * uy + uz * uz), force2 = fx * fx + (fy * fy + fz * fz);
     const bool drags = (alpha > 0) & (speed2 > 0);
     const double share = -alpha * std::sqrt(force2 / (drags ? speed2 : 1.0));
-    const double dx = drags ? vx * share : 0.0, dy = drags ? vy * share : 0.0, dz = drags ? vz * share : 0.0;
+    const double dx = drags ? ux * share : 0.0, dy = drags ? uy * share : 0.0, dz = drags ? uz * share : 0.0;
     const double mobility = dt / mass[k], gx = mobility * (fx + dx), gy = mobility * (fy + dy), gz = mobility * (fz + dz);
     lost[k] = -(dx * (vx + 0.5 * gx) + (dy * (vy + 0.5 * gy) + dz * (vz + 0.5 * gz))) * dt;
+    work[k] = -((lx - fx) * vx + ((ly - fy) * vy + (lz - fz) * vz)) * dt;  // they oppose the resultant
     v[3 * k] = vx + gx;
     v[3 * k + 1] = vy + gy;
     v[3 * k + 2] = vz + gz;
   }
+}
+
+/// What applied forces do in half a step at the present velocities [J].
+double half_applied_work(const Particles& p, std::size_t first, std::size_t end, double dt) {
+  double sum = 0;
+  for (std::size_t a = first; a < end; ++a) sum += p.applied_force[a].dot(p.velocity[a]);
+  return 0.5 * dt * sum;
 }
 
 }  // namespace
@@ -88,24 +76,14 @@ PassSums integrate(State& s, const Damping& damping, bool any_applied, int threa
   for (std::ptrdiff_t b = 0; b < std::ptrdiff_t(blocks); ++b) {
     PassSums& sum = sums[b];
     const std::size_t first = std::size_t(b) * block, end = std::min(n, first + block);
-    std::uint8_t any_held = 0;
-    for (std::size_t a = first; a < end; ++a) any_held |= p.held[a];
-    if (any_held || any_applied) {
-      for (std::size_t a = first; a < end; ++a) {
-        const std::uint8_t held = p.held[a];
-        const Vec3 before = p.velocity[a];
-        sum.damping += advance(p.velocity[a], p.force[a], p.mass[a], damping.translational, held & dof::translation, dt, sum.boundary_work);
-        sum.damping += advance(p.angular_velocity[a], p.torque[a], p.inertia[a], damping.rotational, std::uint8_t(held >> 3), dt, sum.boundary_work);
-        if (any_applied) sum.boundary_work += p.applied_force[a].dot(before + p.velocity[a]) * 0.5 * dt;
-      }
-    } else {
-      double lost[block], lost_turning[block];
-      advance_free(p.velocity[first].data(), p.force[first].data(), p.mass.data() + first, end - first, damping.translational, dt, lost);
-      advance_free(p.angular_velocity[first].data(), p.torque[first].data(), p.inertia.data() + first, end - first, damping.rotational, dt, lost_turning);
-      for (std::size_t k = 0; k < end - first; ++k) {
-        sum.damping += lost[k];
-        sum.damping += lost_turning[k];
-      }
+    double lost[2][block], work[2][block];
+    if (any_applied) sum.boundary_work += half_applied_work(p, first, end, dt);
+    advance(p.velocity[first].data(), p.force[first].data(), &p.mass[first], &p.held[first], 0, end - first, damping.translational, dt, lost[0], work[0]);
+    advance(p.angular_velocity[first].data(), p.torque[first].data(), &p.inertia[first], &p.held[first], 3, end - first, damping.rotational, dt, lost[1], work[1]);
+    if (any_applied) sum.boundary_work += half_applied_work(p, first, end, dt);
+    for (std::size_t k = 0; k < end - first; ++k) {
+      sum.damping += lost[0][k] + lost[1][k];
+      sum.boundary_work += work[0][k] + work[1][k];
     }
     double fastest = 0;
     for (std::size_t a = first; a < end; ++a) {

@@ -54,6 +54,7 @@ class Case {
     sim_.bond(w.bonding.rule());
     protocol_->setup(sim_.view(), sim_, curves_, host_);
     sim_.prepare();
+    time_step_ = sim_.state().time_step;
   }
 
   void batch() {
@@ -81,6 +82,7 @@ class Case {
     return sorted[sorted.size() / 2] / steps;
   }
   double rebuild() const { return rebuild_; }
+  double time_step() const { return time_step_; }
   const Simulation& simulation() const { return sim_; }
 
  private:
@@ -97,7 +99,7 @@ class Case {
   Quiet host_;
   CurveTable curves_;
   std::vector<double> times_, processor_times_;
-  double rebuild_ = 1e300;
+  double rebuild_ = 1e300, time_step_;
 };
 
 /// What the workflow's reference says 1000 steps took elsewhere, if it does.
@@ -130,7 +132,7 @@ void measure(const Workflow& w, const Registry& registry, const std::vector<int>
   const State& s = cases[0]->simulation().state();
   const double bonds = double(s.bonds.size()), one = cases[0]->least();
   fmt::print("{}: {} particles, {} bonds, {} pairs; time step {:.4g} us; {} batches of {} steps\n", w.name, s.particles.size(),
-             s.bonds.size(), s.pairs.size(), 1e6 * s.time_step, Case::batches, Case::steps);
+             s.bonds.size(), s.pairs.size(), 1e6 * cases[0]->time_step(), Case::batches, Case::steps);
   fmt::print("{:>7}  {:>11} {:>8}  {:>9} {:>9} {:>9} {:>10}  {:>8}  {:>10}\n", "", "ns per bond", "and step", "s per", "1000 steps", "", "", "", "pair list");
   fmt::print("{:>7}  {:>11} {:>8}  {:>9} {:>9} {:>9} {:>10}  {:>8}  {:>10}\n", "threads", "minimum", "median", "minimum", "its cpu", "all, wall", "published", "speed-up", "made in ms");
   for (const auto& c : cases)
