@@ -15,6 +15,7 @@
 #include "engine/specimen.hpp"
 #include "output/curve_table.hpp"
 #include "output/summary_table.hpp"
+#include "run/contention.hpp"
 #include "run/frames.hpp"
 #include "run/packing_cache.hpp"
 #include "run/render.hpp"
@@ -119,6 +120,7 @@ class Run {
     Simulation& sim = *simulation_;
     monitor_.info(fmt::format("time step {:.4g} s ({} of the critical), {} pairs, {} thread{}", sim.time_step(), w_.engine.time_step_safety,
                               sim.state().pairs.size(), monitor_.threads(), monitor_.threads() == 1 ? "" : "s"));
+    Contention contention(monitor_.threads());
     for (;;) {
       auto start = Clock::now();
       const bool cancelled = monitor_.cancelled();
@@ -127,6 +129,9 @@ class Run {
       sim.forces(sampled);
       loop_seconds_ += seconds_since(start);
       if (sampled) {
+        if (contention.noticed())
+          monitor_.warn("other programs use this run's cores too, and threads that wait for each other make it many times slower: "
+                        "stop it and start it with fewer --threads (the results do not depend on it)");
         const bool finished = sample() == Progress::finished;
         if (finished || cancelled) {
           interrupted_ = cancelled && !finished;
