@@ -35,7 +35,7 @@ void crush_discs(const Json& law, const std::string& name) {
 }
 
 TEST(Plane, DiscsBreakAndStayInTheirPlane) {
-  crush_discs(elastic_brittle(), "elastic_brittle");
+  crush_discs(elastic_brittle({{"tensile_strength", 4e6}, {"shear_strength", 4e6}}), "elastic_brittle");
   crush_discs(nonlinear_tension({{"tensile_strain_limit", 5e-4}}), "nonlinear_tension");
 }
 

@@ -13,20 +13,23 @@ constexpr double r1 = 0.5e-3, r2 = 0.8e-3, modulus = 10e9, ratio = 3.7, strength
 
 struct Model {
   const char* name;
-  double radius, area;  ///< what stiffness and strength scale with
+  double radius, area, breadth;  ///< what stiffness and strength scale with; in two dimensions strength alone
+
+  double stiffness(int dimension) const { return dimension == 2 ? modulus : 2 * modulus * radius; }  // thickness 1 m
+  double limit(int dimension) const { return strength * (dimension == 2 ? 2 * breadth : 4 * area); }
 };
 const double mean = 0.5 * (r1 + r2), harmonic = 2 * r1 * r2 / (r1 + r2), bond_mean2 = mean * mean;
-const Model models[] = {{"model_1", mean, mean * mean}, {"model_2", harmonic, r1 * r1},
-                        {"model_3a", mean, 0.5 * (r1 * r1 + r2 * r2)}, {"model_3b", mean, bond_mean2},
-                        {"model_3c", harmonic, r1 * r1}};
+const Model models[] = {{"model_1", mean, mean * mean, mean}, {"model_2", harmonic, r1 * r1, r1},
+                        {"model_3a", mean, 0.5 * (r1 * r1 + r2 * r2), mean}, {"model_3b", mean, bond_mean2, mean},
+                        {"model_3c", harmonic, r1 * r1, r1}};
 
 /// Particle 0 held still, particle 1 led with a velocity; `gap` is left between the surfaces (negative: overlap).
-Bench pair_bench(const Json& law, double gap, double tolerance, const Vec3& velocity) {
+Bench pair_bench(const Json& law, double gap, double tolerance, const Vec3& velocity, int dimension = 3) {
   PackedParticles p;
   p.position = {Vec3(0, 0, 0), Vec3(r1 + r2 + gap, 0, 0)};
   p.radius = {r1, r2};
   p.outline = SpecimenShape::Outline::box;
-  Bench b = make_bench(p, law, tolerance);
+  Bench b = make_bench(p, law, tolerance, {}, dimension);
   b->hold(0, dof::all, Vec3::Zero(), Vec3::Zero());
   b->hold(1, dof::all, velocity, Vec3::Zero());
   return b;
@@ -49,11 +52,10 @@ void prepare_free(Bench& b) {
 class EachModel : public ::testing::TestWithParam<Model> {};
 INSTANTIATE_TEST_SUITE_P(TwoBody, EachModel, ::testing::ValuesIn(models), [](const auto& model) { return std::string(model.param.name); });
 
-TEST_P(EachModel, TensionBreaksAtItsStrengthAndNotBefore) {
-  const Model& m = GetParam();
-  Bench b = pair_bench(elastic_brittle({{"model", m.name}}), 0, 1e-9, Vec3::Zero());
+void break_in_tension(const Model& m, int dimension) {
+  Bench b = pair_bench(elastic_brittle({{"model", m.name}}), 0, 1e-9, Vec3::Zero(), dimension);
   prepare_free(b);
-  const double kn = 2 * modulus * m.radius, limit = 4 * strength * m.area, step = limit / kn / 400;
+  const double kn = m.stiffness(dimension), limit = m.limit(dimension), step = limit / kn / 400;
   lead(b, Vec3(step, 0, 0));
   int broke_at = -1;
   for (int k = 0; k < 500 && broke_at < 0; ++k) {
@@ -70,11 +72,15 @@ TEST_P(EachModel, TensionBreaksAtItsStrengthAndNotBefore) {
   EXPECT_NEAR(b->state().bonds.break_normal[0].x(), 1, 1e-12);
 }
 
-TEST_P(EachModel, ShearBreaksAtItsStrengthAndTheTorquesBalance) {
-  const Model& m = GetParam();
-  Bench b = pair_bench(elastic_brittle({{"model", m.name}}), 0, 1e-9, Vec3::Zero());
+TEST_P(EachModel, TensionBreaksAtItsStrengthAndNotBefore) {
+  break_in_tension(GetParam(), 3);
+  break_in_tension(GetParam(), 2);
+}
+
+void break_in_shear(const Model& m, int dimension) {
+  Bench b = pair_bench(elastic_brittle({{"model", m.name}}), 0, 1e-9, Vec3::Zero(), dimension);
   prepare_free(b);
-  const double ks = 2 * modulus * m.radius / ratio, limit = 4 * strength * m.area, step = limit / ks / 2000;
+  const double ks = m.stiffness(dimension) / ratio, limit = m.limit(dimension), step = limit / ks / 2000;
   lead(b, Vec3(0, step, 0));
   int broke_at = -1;
   for (int k = 0; k < 2200 && broke_at < 0; ++k) {
@@ -91,6 +97,11 @@ TEST_P(EachModel, ShearBreaksAtItsStrengthAndTheTorquesBalance) {
   }
   EXPECT_NEAR(broke_at, 2000, 4);
   EXPECT_EQ(b->state().bonds.state[0], BondState::broken_shear);
+}
+
+TEST_P(EachModel, ShearBreaksAtItsStrengthAndTheTorquesBalance) {
+  break_in_shear(GetParam(), 3);
+  break_in_shear(GetParam(), 2);
 }
 
 TEST(TwoBody, BreakingInShearUnderPressureReleasesNoNormalForce) {

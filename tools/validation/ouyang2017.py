@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Ouyang et al. (2017): Tables 1 and 3 to 5, Figures 7 to 17, and the tests that the paper leaves as future work."""
 from . import ouyang2017_experiments as study
+from . import ouyang2017_reading as reading
 from .ouyang2017_figures import Figures, broken_at, peak
 from .ouyang2017_trends import trends
 from .report import Report
@@ -43,7 +44,7 @@ def validate(runner, seeds):
     names = [f"baseline_{s}_{t}" for s in SPECIMENS for t in ("tension", "ucs")] + [f"{r}_{t}" for r in ROCKS for t in ("tension", "ucs")] + list(NEW)
     cases = {n: workflow(n, small) for n in names}
     plain = {study.UCS: cases["baseline_a_ucs"], study.TENSION: cases["baseline_a_tension"]}
-    results = runner.run([*cases.values(), *([] if small else study.cases(plain))])
+    results = runner.run([*cases.values(), *([] if small else study.cases(plain) + reading.cases(SPECIMENS, ROCKS))])
     found = {r.case: r for r in results}
     runs = {n: found.get(c) for n, c in cases.items()}
     target = runner.folder if small or runner.missing and runner.only else runner.root / "docs/validation"
@@ -71,6 +72,9 @@ def validate(runner, seeds):
     new_results(report, figures, runner, runs, found)
     if not small:
         study.tables(report, found, plain)
+        published = {"baseline": MEANS} | {r: in_order_of_table_3(t[1]) for r, t in TABLE_5.items()}
+        reading.table_packings(report, ROCKS, published, runs, found, NAMES)
+        reading.table_by_width(report, SPECIMENS, ROCKS, published, runs, found, properties, NAMES, DIGITS)
         study.network(report, {"specimen A": runs["baseline_a_tension"]} | {ROCKS[r]: runs[r + "_tension"] for r in ROCKS})
         report.text((runner.root / "tools/validation/ouyang2017_discussion.md").read_text())
     report.finish(target / "ouyang2017.md", head, runner.missing)
@@ -102,6 +106,14 @@ def properties(compression, tension):
         return float("nan") if number is None else number / unit
     ec, et, nuc, nut, ucs, ts = (value(r, k, u) for k, u in (("youngs_modulus_Pa", 1e9), ("poisson_ratio", 1), ("peak_stress_Pa", 1e6)) for r in (compression, tension))
     return (ec, et, nuc, nut, ucs, ts, ucs / ts, ec / et, nuc / nut)
+
+
+def in_order_of_table_3(row):
+    """A row of Table 5; None where it has no number."""
+    values = [None] * len(NAMES)
+    for k, v in zip(ORDER_5, row):
+        values[k] = v
+    return values
 
 
 def table3(report, runs):

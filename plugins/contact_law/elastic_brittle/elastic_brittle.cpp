@@ -21,7 +21,9 @@ struct ElasticBrittle {
         .details(
             "F_n = K_n u_n, F_s = K_s u_s with u_n = d - d0. A bond breaks at once when F_n >= phi_n (tension) or "
             "|F_s| >= phi_s (shear). Afterwards F_n <= 0 and |F_s| <= mu |F_n|. K_n = 2 E_c R, phi_n = 4 sigma_c A, "
-            "phi_s = 4 tau_c A, where the model says what the radius R and the squared radius A are.");
+            "phi_s = 4 tau_c A, where the model says what the radius R and the squared radius A are. In two dimensions, "
+            "which the paper does not have, the bar is 2 r broad and as thick as the specimen: K_n = E_c t, phi_n = 2 "
+            "sigma_c r t, phi_s = 2 tau_c r t, with r in place of r^2 in what the model says of A.");
     s.param("model", &Config::model)
         .choice("model_1", StiffnessModel::model_1, "R and A from the pair's arithmetic mean radius")
         .choice("model_2", StiffnessModel::model_2, "R from the pair's harmonic mean, A from its smaller radius")
@@ -63,11 +65,19 @@ struct ElasticBrittle {
   ElasticBrittle(const Config& c, const Assembly& assembly)
       : inverse_ratio(1 / c.stiffness_ratio), friction(c.friction),
         keep_rest_length(c.broken_rest_length == RestLength::initial_distance ? 1.0 : 0.0) {
-    const double modulus = 2 * c.bond_modulus, area = 4;
-    switch (c.model) {
-      case StiffnessModel::model_1: k_arithmetic = modulus; a_arithmetic = area; break;
-      case StiffnessModel::model_2: k_harmonic = modulus; a_minimum = area; break;
-      default: set_uniform(c.model, modulus, area, assembly);
+    const bool discs = assembly.dimension == 2;
+    const double modulus = 2 * c.bond_modulus, area = 4, breadth = 2 * assembly.thickness;
+    if (discs) k_uniform = c.bond_modulus * assembly.thickness;
+    if (c.model == StiffnessModel::model_1) {
+      if (discs) a_arithmetic_linear = breadth;
+      else k_arithmetic = modulus, a_arithmetic = area;
+    } else if (c.model == StiffnessModel::model_2) {
+      if (discs) a_minimum_linear = breadth;
+      else k_harmonic = modulus, a_minimum = area;
+    } else {
+      const MeanRadii mean = mean_radii(c.model, assembly);
+      if (!discs) k_uniform = modulus * mean.stiffness;
+      a_uniform = discs ? breadth * mean.strength : area * mean.strength_squared;
     }
     tensile_strength = c.tensile_strength;
     shear_strength = c.shear_strength;
@@ -140,37 +150,41 @@ struct ElasticBrittle {
   BRECCIA_KERNEL double strength_area(const Contact& c) const {
     const double mean = 0.5 * (c.radius_i + c.radius_j);
     const double low = c.radius_i < c.radius_j ? c.radius_i : c.radius_j;
-    return a_uniform + a_arithmetic * mean * mean + a_minimum * low * low;
+    return a_uniform + (a_arithmetic * mean + a_arithmetic_linear) * mean + (a_minimum * low + a_minimum_linear) * low;
   }
   BRECCIA_KERNEL double free_length(const Contact& c) const {
     const double sum = c.radius_i + c.radius_j, touching = c.rest_length < sum ? c.rest_length : sum;
     return keep_rest_length > 0.5 ? c.rest_length : touching;
   }
 
-  void set_uniform(StiffnessModel model, double modulus, double area, const Assembly& a) {
-    double r = 0, r2 = 0;
-    if (model == StiffnessModel::model_3a) {
-      for (const double x : a.radius) { r += x; r2 += x * x; }
-      r /= double(a.radius.size());
-      r2 /= double(a.radius.size());
-    } else {
-      if (a.bond_i.empty()) throw UserError("contact_law: models 3b and 3c average over bonds, and no bond was made");
-      for (std::size_t k = 0; k < a.bond_i.size(); ++k) {
-        const double x = a.radius[a.bond_i[k]], y = a.radius[a.bond_j[k]], low = std::min(x, y);
-        const bool arithmetic = model == StiffnessModel::model_3b;
-        r += arithmetic ? 0.5 * (x + y) : 2 * x * y / (x + y);
-        r2 += arithmetic ? 0.25 * (x + y) * (x + y) : low * low;
-      }
-      r /= double(a.bond_i.size());
-      r2 /= double(a.bond_i.size());
+  /// Averages over all particles (3a) or bonds (3b, 3c) of the radii that stiffness and strength go by.
+  struct MeanRadii {
+    double stiffness = 0, strength = 0, strength_squared = 0;  // [m], [m], [m2]
+    void add(double r_stiffness, double r_strength) {
+      stiffness += r_stiffness;
+      strength += r_strength;
+      strength_squared += r_strength * r_strength;
     }
-    k_uniform = modulus * r;
-    a_uniform = area * r2;
+  };
+  static MeanRadii mean_radii(StiffnessModel model, const Assembly& a) {
+    MeanRadii m;
+    const bool of_particles = model == StiffnessModel::model_3a;
+    if (!of_particles && a.bond_i.empty()) throw UserError("contact_law: models 3b and 3c average over bonds, and no bond was made");
+    if (of_particles)
+      for (const double r : a.radius) m.add(r, r);
+    else
+      for (std::size_t k = 0; k < a.bond_i.size(); ++k) {
+        const double x = a.radius[a.bond_i[k]], y = a.radius[a.bond_j[k]], mean = 0.5 * (x + y);
+        if (model == StiffnessModel::model_3b) m.add(mean, mean);
+        else m.add(2 * x * y / (x + y), std::min(x, y));
+      }
+    const double n = double(of_particles ? a.radius.size() : a.bond_i.size());
+    return {m.stiffness / n, m.strength / n, m.strength_squared / n};
   }
 
-  // K_n = k_uniform + k_arithmetic r_a + k_harmonic r_h; strength area likewise. One weight is set, the rest are zero.
+  // K_n = k_uniform + k_arithmetic r_a + k_harmonic r_h; strength area likewise. One weight of each is set, the rest are zero.
   double k_uniform = 0, k_arithmetic = 0, k_harmonic = 0;
-  double a_uniform = 0, a_arithmetic = 0, a_minimum = 0;
+  double a_uniform = 0, a_arithmetic = 0, a_arithmetic_linear = 0, a_minimum = 0, a_minimum_linear = 0;
   double tensile_strength = 0, shear_strength = 0, inverse_ratio = 0, friction = 0, keep_rest_length = 1;
 };
 
