@@ -11,7 +11,7 @@
 
 namespace breccia {
 
-void refuse(std::vector<Finding> findings, const std::vector<InputFile>& files) {
+std::vector<Problem> problems_of(std::vector<Finding> findings, const std::vector<InputFile>& files) {
   std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
     return std::tie(a.place.source, a.place.line, a.place.column) <
            std::tie(b.place.source, b.place.line, b.place.column);
@@ -22,7 +22,11 @@ void refuse(std::vector<Finding> findings, const std::vector<InputFile>& files) 
     problems.push_back({source < files.size() ? files[source].name : "--set", f.place.line, f.place.column,
                         std::move(f.path), std::move(f.text)});
   }
-  throw ConfigError(std::move(problems));
+  return problems;
+}
+
+void refuse(std::vector<Finding> findings, const std::vector<InputFile>& files) {
+  throw ConfigError(problems_of(std::move(findings), files));
 }
 
 namespace {

@@ -36,7 +36,10 @@ std::vector<std::string> variants_of(const BaseChain& chain);
 /// the study's folder.
 Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins, const ValuesOnTop& on_top);
 
-/// Throws what was found as a ConfigError; `files` are the sources of the places.
+/// What was found, in the order of the places, of which `files` are the sources.
+std::vector<Problem> problems_of(std::vector<Finding> findings, const std::vector<InputFile>& files);
+
+/// Throws them as a ConfigError.
 [[noreturn]] void refuse(std::vector<Finding> findings, const std::vector<InputFile>& files);
 
 /// The same for a text that stands, or might stand, in the file of that name.

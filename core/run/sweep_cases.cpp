@@ -160,6 +160,7 @@ class Problems {
   void add(const SweepCase& c, const ConfigError& e) {
     for (const Problem& p : e.problems()) add(c, p.str(), p.file == sweep_.study().file.name);
   }
+  void add(const Problem& of_the_study) { add(sweep_.cases().front(), of_the_study.str(), true); }
   void add(const SweepCase& c, const std::string& text, bool is_placed = false) {
     const auto it = std::find_if(all_.begin(), all_.end(), [&](const auto& one) { return one.text == text; });
     if (it == all_.end()) all_.push_back({text, c.folder, 1, is_placed});
@@ -209,6 +210,7 @@ SweepPlan plan(const Sweep& sweep) {
       problems.add(c, e.what());
     }
   }
+  for (const Problem& p : sweep.study().of_columns) problems.add(p);
   problems.refuse_any();
   return plan;
 }

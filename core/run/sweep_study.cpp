@@ -205,7 +205,11 @@ class Checker {
       return;
     for (const std::string& w : loaded_.workflow_names)
       if (node.text.starts_with(w + ".") && node.text.size() > w.size() + 1) return;
-    for (const std::string& w : loaded_.workflow_names) names.push_back(w + "." + node.text);
+    const std::size_t dot = node.text.find('.');
+    for (const std::string& w : loaded_.workflow_names) {
+      names.push_back(w + "." + node.text);
+      if (dot != node.text.npos) names.push_back(w + node.text.substr(dot));  // the workflow's name may be the mistake
+    }
     const std::string near = closest(node.text, names);
     report(node, path,
            "`" + node.text + "` is neither a parameter that varies" + (with_derived ? ", nor a derived column," : "") +
@@ -247,8 +251,9 @@ LoadedStudy load_study(const fs::path& file, const Registry& registry) {
   Checker checker(loaded, file, findings);
   checker.workflows();
   checker.fixed();
-  if (findings.empty()) checker.columns();  // it needs the parameters
   if (!findings.empty()) refuse(std::move(findings), chain.files);
+  checker.columns();
+  loaded.of_columns = problems_of(std::move(findings), chain.files);
   return loaded;
 }
 

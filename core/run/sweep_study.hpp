@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "config/problem.hpp"
 #include "plugin/registry.hpp"
 #include "run/sweep_design.hpp"
 
@@ -60,11 +61,12 @@ struct LoadedStudy {
   std::vector<PlacedValue> fixed;
   std::vector<StudyParameter> parameters;  ///< those that vary
   std::vector<StudyPoint> points;          ///< each has a value of every parameter, in their order
+  std::vector<Problem> of_columns;         ///< what is wrong with columns and charts; `plan` tells it with what the cases have
 
   StudyTerm term(const std::string& name) const;  ///< of a name that was checked when the study was read
 };
 
-/// ConfigError with every problem. `registry` knows the renderers.
+/// ConfigError with every problem but those `of_columns`. `registry` knows the renderers.
 LoadedStudy load_study(const std::filesystem::path& file, const Registry& registry);
 
 }  // namespace breccia

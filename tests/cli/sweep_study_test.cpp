@@ -155,6 +155,13 @@ TEST_F(SweepStudy, ColumnsThatChartsAndQuotientsNameAreChecked) {
       "workflows; "
       "did you mean `seed`?\n"
       "study.yaml:4:50: charts[1].series: `workflow` is not a parameter that varies; known here: `seed`\n");
+  // Together with what the cases say; and a workflow's name may be what is misspelt.
+  expect_refused(
+      "workflows: [{name: slow, file: small.yaml}]\ngrid: {contact_law.frictoin: [0.1, 0.2]}\n"
+      "charts: [{x: contact_law.frictoin, y: slov.peak_stress_Pa}]\n",
+      "study.yaml:2:20: contact_law.frictoin: is not a known parameter; did you mean `friction`?\n"
+      "study.yaml:3:39: charts[0].y: `slov.peak_stress_Pa` is neither a parameter that varies, nor a derived column, nor a value "
+      "of one of the workflows; did you mean `slow.peak_stress_Pa`?\n");
   expect_refused("workflow: small.yaml\ngrid: {seed: [1, 2]}\ncharts: [{x: seed, y: a/b}, {x: seed, y: c}, {x: seed, y: c}]\n",
                  "study.yaml:3:10: charts[0]: `a/b_over_seed` cannot be a file name; give the chart another `name`\n"
                  "study.yaml:3:46: charts[2]: a second chart named `c_over_seed`; give one of them another `name`\n");
