@@ -7,12 +7,12 @@ namespace breccia {
 
 namespace {
 
-/// Drops from `below` the alternatives to what `above` gives.
-void drop_alternatives(const ParamSpec& group, YamlNode& below, const YamlNode& above) {
+/// Drops from `mapping` the alternatives to what is given above it, as `is_given` says of a name.
+template <class IsGiven>
+void drop_alternatives(const ParamSpec& group, YamlNode& mapping, const IsGiven& is_given) {
   const auto drop = [&](const std::vector<std::string>& names) {
-    const auto is_given = [&](const std::string& name) { return above.find(name) != nullptr; };
     if (std::none_of(names.begin(), names.end(), is_given)) return;
-    std::erase_if(below.entries, [&](const YamlEntry& entry) {
+    std::erase_if(mapping.entries, [&](const YamlEntry& entry) {
       return !is_given(entry.key) && std::find(names.begin(), names.end(), entry.key) != names.end();
     });
   };
@@ -36,19 +36,32 @@ class Merger {
     const bool is_section = is_plugin || (spec && spec->type == ParamType::group);
     // A section that is no mapping stays, so that the reader reports it where it was written.
     if (below->kind != YamlNode::Kind::mapping) return is_section ? below : above;
-    if (!is_plugin) return merge_entries(is_section ? spec : nullptr, *below, *above);
     const std::string* type_below = plugin_type(*below);
     const std::string* type = plugin_type(*above);
-    if (type && type_below && *type != *type_below) return above;
-    if (!type) type = type_below;
-    return merge_entries(type ? plugin_group(spec->plugin_kind, *type) : nullptr, *below, *above);
+    if (is_plugin && type && type_below && *type != *type_below) return above;
+    return merge_entries(group_of(spec, type ? *above : *below), *below, *above);
+  }
+
+  /// See `drop_replaced`.
+  YamlPtr drop_replaced(const ParamSpec* spec, const YamlPtr& node, int on_top) const {
+    if (!spec) return node;
+    auto copy = std::make_shared<YamlNode>(*node);
+    for (YamlPtr& item : copy->items) item = drop_replaced(spec, item, on_top);
+    const ParamSpec* group = node->kind == YamlNode::Kind::mapping ? group_of(spec, *node) : nullptr;
+    if (!group) return copy;
+    drop_alternatives(*group, *copy, [&](const std::string& name) {
+      const YamlEntry* entry = node->find(name);
+      return entry && entry->value->place.source >= on_top;
+    });
+    for (YamlEntry& entry : copy->entries) entry.value = drop_replaced(member_of(group, entry.key), entry.value, on_top);
+    return copy;
   }
 
  private:
   YamlPtr merge_entries(const ParamSpec* group, const YamlNode& below, const YamlNode& above) const {
     auto merged = std::make_shared<YamlNode>(below);
     merged->place = above.place;
-    if (group) drop_alternatives(*group, *merged, above);
+    if (group) drop_alternatives(*group, *merged, [&](const std::string& name) { return above.find(name) != nullptr; });
     for (const YamlEntry& entry : above.entries) {
       const auto old = std::find_if(merged->entries.begin(), merged->entries.end(),
                                     [&](const YamlEntry& e) { return e.key == entry.key; });
@@ -63,6 +76,15 @@ class Merger {
     const auto found = std::find_if(group->members.begin(), group->members.end(),
                                     [&](const ParamSpec& member) { return member.name == name; });
     return found == group->members.end() ? nullptr : &*found;
+  }
+
+  /// What may stand in a mapping that `spec` is of, or has in its list; nullptr where nobody knows.
+  const ParamSpec* group_of(const ParamSpec* spec, const YamlNode& mapping) const {
+    if (!spec) return nullptr;
+    if (spec->type == ParamType::group || spec->type == ParamType::group_list) return spec;
+    const bool is_plugin = spec->type == ParamType::plugin || spec->type == ParamType::plugin_list;
+    const std::string* type = is_plugin ? plugin_type(mapping) : nullptr;
+    return type ? plugin_group(spec->plugin_kind, *type) : nullptr;
   }
 
   const ParamSpec* plugin_group(const std::string& kind, const std::string& name) const {
@@ -80,6 +102,10 @@ class Merger {
 
 YamlPtr merge(const ParamSpec& spec, const YamlPtr& below, const YamlPtr& above, const PluginDirectory& plugins) {
   return Merger(plugins).merge(&spec, below, above);
+}
+
+YamlPtr drop_replaced(const ParamSpec& spec, const YamlPtr& tree, int on_top, const PluginDirectory& plugins) {
+  return Merger(plugins).drop_replaced(&spec, tree, on_top);
 }
 
 }  // namespace breccia

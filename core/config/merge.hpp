@@ -14,4 +14,8 @@ namespace breccia {
 /// Every node keeps its place; a key given in both files has the place above.
 YamlPtr merge(const ParamSpec& spec, const YamlPtr& below, const YamlPtr& above, const PluginDirectory& plugins);
 
+/// The same for values that were put into `tree` one by one (`--set`, a study) and whose places have source `on_top` or
+/// later: of parameters that exclude each other, one given so drops the others.
+YamlPtr drop_replaced(const ParamSpec& spec, const YamlPtr& tree, int on_top, const PluginDirectory& plugins);
+
 }  // namespace breccia

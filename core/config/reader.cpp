@@ -127,6 +127,7 @@ Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDire
       here.value = with_source(given.value, source);
       tree = apply_value(tree, here, findings);
     }
+  tree = drop_replaced(root, tree, source, plugins);
   return checked(tree, files, std::move(findings), root, plugins);
 }
 
@@ -139,6 +140,7 @@ Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDire
   if (tree->kind == YamlNode::Kind::mapping)
     for (std::size_t k = 0; k < overrides.size(); ++k)
       tree = apply_override(tree, overrides[k], {command_line, int(k) + 1, 1}, findings);
+  tree = drop_replaced(root, tree, command_line, plugins);
   return checked(tree, chain.files, std::move(findings), root, plugins, root_rules);
 }
 

@@ -104,6 +104,17 @@ TEST_F(Bases, AlternativesOfTheBaseGiveWay) {
             "workflow.yaml:3:1: give only one of `quick` and `slow`, not `quick` and `slow`");
 }
 
+TEST_F(Bases, AlternativesOfTheFilesGiveWayToOverrides) {
+  write("base.yaml", specimen);
+  const Json got = read("base: base.yaml\n", {"specimen.height=1 m", "slow=2"});
+  EXPECT_EQ(got["specimen"], Json::parse(R"({"diameter": 0.023, "height": 1.0, "porosity": 0.23})"));
+  EXPECT_FALSE(got.contains("quick"));
+  EXPECT_EQ(problems_of("base: base.yaml\n", {"quick=1", "slow=2"}),
+            "--set:2:1: give only one of `quick` and `slow`, not `quick` and `slow`") << "of two overrides neither gives way";
+  EXPECT_EQ(problems_of("base: base.yaml\nquick: 1\nslow: 2\n", {"seed=3"}),
+            "workflow.yaml:3:1: give only one of `quick` and `slow`, not `quick` and `slow`");
+}
+
 TEST_F(Bases, BaseOfABaseAndIncompleteBases) {
   write("shared/law.yaml", "contact_law: {type: brittle, bond_modulus: 1 GPa, tensile_strength: 1 MPa}\nseed: 1\n");
   write("shared/specimen.yaml", "base: law.yaml\nspecimen: {diameter: 1 m}\nseed: 2\nsteps: 2\n");

@@ -219,7 +219,7 @@ def new_results(report, figures, runner, runs, found):
 def size_effect(report, figures, rows):
     groups = {}
     for row in rows:
-        groups.setdefault(float(row["packing.radius_max"]), {}).setdefault(row["workflow"], []).append(row)
+        groups.setdefault(float(row["packing.radius_max_m"]), {}).setdefault(row["workflow"], []).append(row)
     lines = []
     for radius, tests in sorted(groups.items()):
         cells = [f"{radius * 1e3:g}", len(tests.get("ucs", []))]
