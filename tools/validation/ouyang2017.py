@@ -72,7 +72,7 @@ def validate(runner, seeds):
     new_results(report, figures, runner, runs, found)
     if not small:
         study.tables(report, found, plain)
-        published = {"baseline": MEANS} | {r: in_order_of_table_3(t[1]) for r, t in TABLE_5.items()}
+        published = {"baseline": (MEANS, SHARES)} | {r: (in_order_of_table_3(t[1]), [ROCK] * len(NAMES)) for r, t in TABLE_5.items()}
         reading.table_packings(report, ROCKS, published, runs, found, NAMES)
         reading.table_by_width(report, SPECIMENS, ROCKS, published, runs, found, properties, NAMES, DIGITS)
         study.network(report, {"specimen A": runs["baseline_a_tension"]} | {ROCKS[r]: runs[r + "_tension"] for r in ROCKS})
@@ -198,6 +198,9 @@ def new_results(report, figures, runner, runs, found):
     report.text("### Biaxial compression of specimen A")
     confined = study.confinement(report, found, runs["baseline_a_ucs"], runs["baseline_biaxial"])
     if confined:
+        labels = [f"{p} MPa" for p, _ in confined]
+        figures.curves(report, "Biaxial", "axial stress against axial strain at four confining pressures", [r for _, r in confined], labels, "biaxial", "platen_strain", "platen_stress")
+        figures.envelope(report, [runs["baseline_a_tension"], runs["baseline_brazilian"], *(r for _, r in confined)], ["direct tension", "Brazilian", *labels])
         figures.cracks(report, "Biaxial", "specimen A at 20 MPa of confinement", runs["baseline_biaxial"], "baseline_biaxial", (1e-4,))
     else:
         report.text("Not measured.")

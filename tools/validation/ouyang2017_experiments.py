@@ -108,7 +108,7 @@ def network(report, tension):
 
 
 def confinement(report, found, ucs, middle):
-    """Strength against confinement: `ucs` the unconfined run, `middle` that of the workflow (20 MPa)."""
+    """Strength against confinement: `ucs` the unconfined run, `middle` that of the workflow (20 MPa). Returns (MPa, run) of each."""
     runs = {0: ucs, 20: middle} | {p: found.get(c) for p, c in biaxial().items()}
     present = [(p, r) for p, r in sorted(runs.items()) if r]
     if len(present) < 2:
@@ -122,4 +122,4 @@ def confinement(report, found, ucs, middle):
     report.table(["confining pressure [MPa]", "axial stress at the peak [MPa]", "bonds broken in tension", "in shear"],
                  [[p, f"{a:.1f}", r.get("bonds_broken_tension"), r.get("bonds_broken_shear")] for (p, r), a in zip(present, axial)])
     report.text(f"By least squares sigma_1 = {height - slope * centre:.0f} MPa + {slope:.2f} sigma_3.")
-    return [r for _, r in present]
+    return present

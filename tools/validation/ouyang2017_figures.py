@@ -70,6 +70,7 @@ class Figures(Drawing):
             self._show(report, number, caption, [self._take(out / "curves.png", f"{name}.png")])
 
     def envelope(self, report, runs, labels):
+        runs, labels = zip(*((r, text) for r, text in zip(runs, labels) if r))
         out = self._compare([r.folder for r in runs], labels, "envelope", [{"x": "time", "y": "time"}])
         if (out / "strength_envelope.png").exists():
             self._show(report, "Mohr circles", "strength envelope of the baseline material", [self._take(out / "strength_envelope.png", "envelope.png")])

@@ -17,8 +17,9 @@ struct PrincipalStresses {
   double sigma_3, sigma_1;
 };
 
-/// From a summary: of a test between platens the stresses at the peak of the deviator; of a Brazilian test those in the
-/// middle of the elastic disc, -T and 3 T. None when the run has neither, or is loaded in a rigid cell, where nothing fails.
+/// From a summary: of a test between platens the stresses at the peak of the deviator; of direct tension -T and 0; of a
+/// Brazilian test those in the middle of the elastic disc, -T and 3 T. None when the run is none of these, or is loaded in a rigid
+/// cell, where nothing fails.
 inline std::optional<PrincipalStresses> strength_of(const Json& summary) {
   const auto number = [](const Json& object, const char* key) -> std::optional<double> {
     const auto it = object.find(key);
@@ -28,6 +29,7 @@ inline std::optional<PrincipalStresses> strength_of(const Json& summary) {
   if (const auto tensile = number(summary, "brazilian_tensile_strength_Pa")) return PrincipalStresses{-*tensile, 3 * *tensile};
   for (const Json& section : summary) {
     if (!section.is_object() || section.contains("cell_pressure_at_end_Pa")) continue;
+    if (const auto tension = number(section, "peak_tension_Pa"); tension && *tension > 0) return PrincipalStresses{-*tension, 0};
     const auto whole = number(section, "peak_platen_stress_Pa"), deviator = number(section, "peak_deviatoric_platen_stress_Pa");
     if (whole && deviator && *deviator > 0) return PrincipalStresses{*whole - *deviator, *whole};
   }
