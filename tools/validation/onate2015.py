@@ -3,7 +3,7 @@
 import json
 
 from . import onate2015_experiments as study
-from .onate2015_figures import Figures
+from .onate2015_figures import Figures, confined
 from .onate2015_law import law
 from .report import Report, kept
 from .runs import Case, mean
@@ -124,15 +124,6 @@ def limit_stress(run, share):
         if e > 4e-4 and low < k and (stress[k] - stress[low]) / (e - strain[low]) < share * at_first:
             return stress[low]
     return None
-
-
-def confined(run):
-    """(strain, differential stress, stage) from the end of the confining stage on; without confinement the whole curve."""
-    strain, stage = run.curve("platen_strain"), run.curve("stage")
-    name = "deviatoric_platen_stress_Pa"
-    stress = run.curve(name if run.has_curve(name) else "platen_stress_Pa")
-    skip = 1 if run.get("triaxial_compression") else 0
-    return [p for p in zip(strain, stress, stage) if p[2] >= skip]
 
 
 def series(report, runs, group, material, unit, pascal):

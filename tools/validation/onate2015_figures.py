@@ -17,9 +17,17 @@ def label(run):
     return LABELS.get(name) or (f"{pressure[1]} {pressure[2]}" if pressure else name)
 
 
+def confined(run):
+    """(strain, differential stress, stage) from the end of the confining stage on; without confinement the whole curve."""
+    strain, stage = run.curve("platen_strain"), run.curve("stage")
+    name = "deviatoric_platen_stress_Pa"
+    stress = run.curve(name if run.has_curve(name) else "platen_stress_Pa")
+    skip = 1 if run.get("triaxial_compression") else 0
+    return [p for p in zip(strain, stress, stage) if p[2] >= skip]
+
+
 class Figures(Drawing):
     def stress_strain(self, report, number, caption, runs, name, labels=None):
-        from .onate2015 import confined
         if not runs:
             return
         folders = []
