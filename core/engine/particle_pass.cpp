@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "breccia/contact.hpp"
 
@@ -85,19 +86,22 @@ PassSums integrate(State& s, const Damping& damping, bool any_applied, int threa
       sum.damping += lost[0][k] + lost[1][k];
       sum.boundary_work += work[0][k] + work[1][k];
     }
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     double fastest = 0;
+    bool finite = true;  // the maximum passes over what is not a number
     for (std::size_t a = first; a < end; ++a) {
       p.position[a] += dt * p.velocity[a];
-      fastest = std::max(fastest, p.velocity[a].squaredNorm());
+      const double speed2 = p.velocity[a].squaredNorm();
+      fastest = std::max(fastest, speed2);
+      finite &= speed2 < infinity;
     }
-    sum.largest_speed = std::sqrt(fastest);
+    sum.largest_speed = finite ? std::sqrt(fastest) : infinity;
   }
   PassSums total;
   for (const PassSums& sum : sums) {
     total.damping += sum.damping;
     total.boundary_work += sum.boundary_work;
-    // A speed that is not a number must not be lost in the maximum.
-    if (!(sum.largest_speed <= total.largest_speed)) total.largest_speed = sum.largest_speed;
+    total.largest_speed = std::max(total.largest_speed, sum.largest_speed);
   }
   return total;
 }

@@ -16,7 +16,7 @@ struct Damping {
 /// What one pass over the particles yields besides moved particles; summed block by block in a fixed order.
 struct PassSums {
   double damping = 0, boundary_work = 0;  ///< in this step [J]
-  double largest_speed = 0;               ///< [m/s]
+  double largest_speed = 0;               ///< infinite if one is not a finite number [m/s]
 };
 
 /// Before the pairs of a share are evaluated: `force` and `torque` of its particles are zero.

@@ -2,6 +2,8 @@
 // A free, undamped body keeps its momentum, angular momentum and energy; with damping and breakage the ledger closes.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "engine/particle_pass.hpp"
 #include "support/support.hpp"
 
@@ -114,6 +116,18 @@ TEST(Conservation, DampingActsOnTheNormOfTheResultant) {
     const double gain = (s.particles.velocity[0].z() - 2) * s.particles.mass[0] / s.time_step;
     EXPECT_NEAR(gain, direction * 3e-3 - 0.4 * 3e-3, 1e-12);
   }
+}
+
+TEST(Conservation, AVelocityThatIsNotANumberEndsTheRun) {
+  const PackedParticles packing = random_block(10, 10, 6, 1e-3, 7);
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for (const Index which : {Index(0), Index(1), Index(300), Index(599)}) {
+      Bench b = make_bench(packing, elastic_brittle(), 0.15);
+      b->prepare();
+      b->forces();
+      b->hold(which, dof::x, Vec3(bad, 0, 0), Vec3::Zero());
+      EXPECT_THROW(b->advance(), UserError) << bad << " of particle " << which;
+    }
 }
 
 }  // namespace
