@@ -27,7 +27,8 @@ using std::chrono::steady_clock;
 
 std::string clock_text(double seconds) {
   const long s = std::lround(seconds);
-  return s >= 3600 ? fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60) : fmt::format("{}:{:02}", s / 60, s % 60);
+  return s >= 3600 ? fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
+                   : fmt::format("{}:{:02}", s / 60, s % 60);
 }
 
 }  // namespace
@@ -49,9 +50,7 @@ void Console::log_to(const std::filesystem::path& file) {
   try {
     auto sink = std::make_shared<spdlog::sinks::basic_file_sink_mt>(file.string(), true);
     file_ = std::make_unique<spdlog::logger>("run", sink);
-  } catch (const spdlog::spdlog_ex& e) {
-    throw UserError("cannot write " + file.string() + ": " + e.what());
-  }
+  } catch (const spdlog::spdlog_ex& e) { throw UserError("cannot write " + file.string() + ": " + e.what()); }
   file_->set_pattern("%Y-%m-%d %H:%M:%S %l: %v");
   file_->flush_on(spdlog::level::info);
   file_->set_error_handler([](const std::string&) {});  // a full disk is told by the files that matter
@@ -100,8 +99,8 @@ void Console::status(const RunStatus& s) {
   if (terminal_ && duration<double>(now - last_drawn_).count() > 0.2) {
     last_drawn_ = now;
     const int width = 24, filled = int(s.share_done * width);
-    draw(fmt::format("[{}{}] {:3.0f} %  at most {} left  {}", std::string(std::size_t(filled), '#'), std::string(std::size_t(width - filled), '.'),
-                     100 * s.share_done, eta, tail));
+    draw(fmt::format("[{}{}] {:3.0f} %  at most {} left  {}", std::string(std::size_t(filled), '#'),
+                     std::string(std::size_t(width - filled), '.'), 100 * s.share_done, eta, tail));
   }
   if (duration<double>(now - last_logged_).count() > 10) {
     last_logged_ = now;

@@ -20,7 +20,7 @@ class Console final : public RunMonitor {
  public:
   explicit Console(int threads);
   ~Console();
-  void log_to(const std::filesystem::path& file);   ///< from now on also into this file
+  void log_to(const std::filesystem::path& file);  ///< from now on also into this file
   void info(std::string_view text) override;
   void warn(std::string_view text) override;
   void progress(std::string_view what, double done) override;
@@ -28,7 +28,7 @@ class Console final : public RunMonitor {
   bool cancelled() const override;
   int threads() const override { return threads_; }
   void clear_bar();
-  void log_only(const std::string& text);           ///< into the file, not on the terminal
+  void log_only(const std::string& text);  ///< into the file, not on the terminal
 
  private:
   void draw(const std::string& text);

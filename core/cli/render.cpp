@@ -32,7 +32,9 @@ int render(const RenderArguments& a) {
   if (!fs::exists(a.source)) throw UserError("cannot read " + a.source.string() + ": no such file or folder");
   Console console(1);
   Registry registry;
-  const fs::path folder = !a.output.empty() ? a.output : fs::is_directory(a.source) ? a.source : fs::absolute(a.source).parent_path();
+  const fs::path folder = !a.output.empty()            ? a.output
+                          : fs::is_directory(a.source) ? a.source
+                                                       : fs::absolute(a.source).parent_path();
   const PluginChoice choice = settings(a, registry);
   std::error_code error;
   fs::create_directories(folder, error);

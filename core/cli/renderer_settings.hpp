@@ -7,7 +7,8 @@
 namespace breccia::cli {
 
 /// With its defaults, and each "path=value" of `overrides` in its section. ConfigError when these do not fit.
-inline PluginChoice renderer_settings(const std::string& type, const std::vector<std::string>& overrides, const PluginDirectory& plugins) {
+inline PluginChoice renderer_settings(const std::string& type, const std::vector<std::string>& overrides,
+                                      const PluginDirectory& plugins) {
   struct Config {
     PluginChoice renderer;
   };

@@ -22,7 +22,10 @@ void print_comparison(const Json& summary) {
     if (!any) fmt::print("\n{:<24} | {:>12} | {:>12} | {:>10}\n{:-<68}\n", "", "measured", "paper", "difference", "");
     any = true;
     const double r = value.get<double>();
-    if (!summary[key].is_number()) { fmt::print("{:<24} | {:>12} | {:>12.6g} |\n", key, "none", r); continue; }
+    if (!summary[key].is_number()) {
+      fmt::print("{:<24} | {:>12} | {:>12.6g} |\n", key, "none", r);
+      continue;
+    }
     const double m = summary[key].get<double>();
     fmt::print("{:<24} | {:>12.6g} | {:>12.6g} | {:>+8.2f} %\n", key, m, r, r != 0 ? 100 * (m / r - 1) : NAN);
   }
@@ -37,10 +40,12 @@ int run(const RunArguments& a) {
   Registry registry;
   for (const std::string& w : registry.warnings()) console.warn(w);
   const LoadedWorkflow loaded = load_workflow(a.file, a.overrides, registry, a.variant);
-  const std::filesystem::path folder = a.output.empty() ? std::filesystem::path("results") / loaded.workflow.name : a.output;
+  const std::filesystem::path folder =
+      a.output.empty() ? std::filesystem::path("results") / loaded.workflow.name : a.output;
   ResultsFolder results(folder, a.overwrite);
   console.log_to(folder / "run.log");
-  console.info(fmt::format("breccia {}: workflow `{}` into {}", BRECCIA_VERSION, loaded.workflow.name, folder.string()));
+  console.info(
+      fmt::format("breccia {}: workflow `{}` into {}", BRECCIA_VERSION, loaded.workflow.name, folder.string()));
   try {
     const RunOutcome outcome = run_workflow(loaded, registry, {folder, default_cache_folder()}, console);
     results.keep();

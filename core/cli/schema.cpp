@@ -10,7 +10,9 @@ namespace breccia::cli {
 
 int schema(const std::string& of) {
   const Registry registry;
-  fmt::print("{}\n", (of == "sweep" ? json_schema(study_schema(), registry, "Breccia study") : json_schema(workflow_schema(), registry)).dump(2));
+  fmt::print("{}\n", (of == "sweep" ? json_schema(study_schema(), registry, "Breccia study")
+                                    : json_schema(workflow_schema(), registry))
+                         .dump(2));
   return ok;
 }
 

@@ -25,7 +25,8 @@ fs::path results_folder(const SweepArguments& a, const Sweep& sweep) {
   if (fs::exists(folder, unknown) && !fs::is_directory(folder, unknown))
     throw UserError("cannot write results to " + folder.string() + ": it is a file");
   if (fs::exists(folder, unknown) && !fs::is_empty(folder, unknown) && !fs::is_directory(folder / "cases", unknown))
-    throw UserError("the folder " + folder.string() + " holds files but no cases of a study: choose another with --output");
+    throw UserError("the folder " + folder.string() +
+                    " holds files but no cases of a study: choose another with --output");
   return folder;
 }
 
@@ -39,11 +40,13 @@ int run_one(const SweepArguments& a, const Sweep& sweep) {
   const SweepCase& c = sweep.find(a.one);
   const fs::path folder = case_folder(results_folder(a, sweep), c);
   const ResolvedCase resolved = sweep.resolve(c);
-  if (!a.expect.empty() && a.expect != resolved.hash) throw UserError("the study or its workflow was changed while it ran");
+  if (!a.expect.empty() && a.expect != resolved.hash)
+    throw UserError("the study or its workflow was changed while it ran");
   Console console(a.threads);
   CaseFolder record(folder, about_case(sweep, c, resolved), console);
   const CaseState state = read_case(folder, resolved.hash).state;
-  if (state == CaseState::other_inputs && !a.overwrite) throw changed("the finished results in " + folder.string() + " are");
+  if (state == CaseState::other_inputs && !a.overwrite)
+    throw changed("the finished results in " + folder.string() + " are");
   if (state == CaseState::finished) {
     console.info(fmt::format("case {} ({}) has finished before", c.number, c.folder));
     return ok;
@@ -51,9 +54,10 @@ int run_one(const SweepArguments& a, const Sweep& sweep) {
   record.begin();
   try {
     console.log_to(folder / "run.log");
-    console.info(fmt::format("breccia {}: case {} of study `{}` into {}", BRECCIA_VERSION, c.number, sweep.study().study.name,
-                             folder.string()));
-    const RunOutcome outcome = run_workflow(resolved.loaded, sweep.registry(c), {folder, default_cache_folder()}, console);
+    console.info(fmt::format("breccia {}: case {} of study `{}` into {}", BRECCIA_VERSION, c.number,
+                             sweep.study().study.name, folder.string()));
+    const RunOutcome outcome =
+        run_workflow(resolved.loaded, sweep.registry(c), {folder, default_cache_folder()}, console);
     console.clear_bar();
     outcome.interrupted ? record.interrupted() : record.finished();
     console.info(outcome.interrupted ? "stopped on request" : "finished");
@@ -88,14 +92,16 @@ std::vector<const PlannedCase*> to_run(const SweepPlan& plan, const fs::path& fo
     if (state == CaseState::other_inputs) stale.push_back(c.the.folder);
   }
   if (!stale.empty() && !overwrite)
-    throw changed(fmt::format("{} finished case{} in {} ({}{}) {}", stale.size(), stale.size() == 1 ? "" : "s", folder.string(),
-                              stale[0], stale.size() == 1 ? "" : ", ...", stale.size() == 1 ? "is" : "are"));
+    throw changed(fmt::format("{} finished case{} in {} ({}{}) {}", stale.size(), stale.size() == 1 ? "" : "s",
+                              folder.string(), stale[0], stale.size() == 1 ? "" : ", ...",
+                              stale.size() == 1 ? "is" : "are"));
   return open;
 }
 
 class LocalRun {
  public:
-  LocalRun(const SweepArguments& a, const fs::path& folder, Console& console) : a_(a), folder_(folder), console_(console) {}
+  LocalRun(const SweepArguments& a, const fs::path& folder, Console& console)
+      : a_(a), folder_(folder), console_(console) {}
 
   void run(const std::vector<const PlannedCase*>& open) {
     std::vector<SweepJob> jobs;
@@ -121,17 +127,18 @@ class LocalRun {
     if (now.state != CaseState::finished && now.state != CaseState::failed && !console_.cancelled()) {
       // It could not say so itself.
       const std::string said = last_line(log);
-      const std::string how = end.signal
-                                  ? fmt::format("the process was ended by signal {} ({})", end.signal, strsignal(end.signal))
-                                  : fmt::format("the process ended with code {}", end.code);
-      now = {CaseState::failed, end.signal || said.empty() ? how + (said.empty() ? "" : "; its last words: " + said) : said};
+      const std::string how =
+          end.signal ? fmt::format("the process was ended by signal {} ({})", end.signal, strsignal(end.signal))
+                     : fmt::format("the process ended with code {}", end.code);
+      now = {CaseState::failed,
+             end.signal || said.empty() ? how + (said.empty() ? "" : "; its last words: " + said) : said};
       record_crash(place, c.hash, now.error);
     }
     std::error_code ignored;
     if (now.state == CaseState::finished) fs::remove(log, ignored);  // run.log has the same
-    console_.info(fmt::format(
-        "[{}/{}] {}: {}", ++done_, count, c.the.folder,
-        now.state == CaseState::failed ? "failed: " + now.error.substr(0, now.error.find('\n')) : state_text(now.state)));
+    console_.info(fmt::format("[{}/{}] {}: {}", ++done_, count, c.the.folder,
+                              now.state == CaseState::failed ? "failed: " + now.error.substr(0, now.error.find('\n'))
+                                                             : state_text(now.state)));
   }
 
   const SweepArguments& a_;
@@ -146,7 +153,8 @@ std::optional<PluginChoice> renderer_of(const Study& study, Host& host) {
   if (study.renderer) return study.renderer;
   const Registry registry;
   const std::vector<std::string> names = registry.names("renderer");
-  if (std::find(names.begin(), names.end(), "pictures") != names.end()) return renderer_settings("pictures", {}, registry);
+  if (std::find(names.begin(), names.end(), "pictures") != names.end())
+    return renderer_settings("pictures", {}, registry);
   host.warn("no charts: the renderer `pictures` is not installed");
   return {};
 }
@@ -164,7 +172,8 @@ bool gather(const Sweep& sweep, const SweepPlan& plan, const fs::path& folder, C
                             record.error.empty() ? "" : ": " + record.error.substr(0, record.error.find('\n')));
   }
   const SweepTable table(sweep, plan, std::move(results));
-  for (const fs::path& file : write_results(sweep, plan, table, renderer_of(sweep.study().study, console), folder, console))
+  for (const fs::path& file :
+       write_results(sweep, plan, table, renderer_of(sweep.study().study, console), folder, console))
     console.info("made " + file.string());
   console.info(fmt::format("{} of {} cases finished; results in {}", finished, plan.cases.size(), folder.string()));
   if (!others.empty()) console.info("not finished:\n" + others.substr(0, others.size() - 1));
@@ -186,12 +195,13 @@ int sweep(const SweepArguments& a) {
   Console console(1);
   if (!a.collect) {
     const std::vector<const PlannedCase*> open = to_run(planned, folder, a.overwrite);
-    console.info(fmt::format("study `{}`: {} cases, {} to run", sweep.study().study.name, planned.cases.size(), open.size()));
+    console.info(
+        fmt::format("study `{}`: {} cases, {} to run", sweep.study().study.name, planned.cases.size(), open.size()));
     LocalRun(a, folder, console).run(open);
     if (console.cancelled()) {
-      console.info(
-          fmt::format("stopped on request; the same command goes on where it stopped, --collect gathers what there is in {}",
-                      folder.string()));
+      console.info(fmt::format(
+          "stopped on request; the same command goes on where it stopped, --collect gathers what there is in {}",
+          folder.string()));
       return interrupted;
     }
   }

@@ -14,7 +14,7 @@ struct RunArguments {
   std::filesystem::path file, output;
   std::vector<std::string> overrides;
   std::string variant;
-  int threads = 0;        ///< 0: as many as the machine has
+  int threads = 0;  ///< 0: as many as the machine has
   bool overwrite = false;
 };
 
@@ -28,12 +28,12 @@ struct CompareArguments {
   std::vector<std::filesystem::path> folders;
   std::filesystem::path output = "results/comparison";
   std::vector<std::string> labels, overrides;
-  std::string renderer;   ///< empty: `pictures`, if there is one
+  std::string renderer;  ///< empty: `pictures`, if there is one
   bool overwrite = false;
 };
 
 struct DriveArguments {
-  std::string target;     ///< a workflow, or the name of a contact law
+  std::string target;  ///< a workflow, or the name of a contact law
   std::filesystem::path path, output;
   std::vector<std::string> radius, overrides;
   std::string gap, porosity;  ///< with units; empty: the default
@@ -44,11 +44,11 @@ struct DriveArguments {
 
 struct SweepArguments {
   std::filesystem::path study, output;
-  int jobs = 0, threads = 1;      ///< jobs 0: as many as keep all cores busy
+  int jobs = 0, threads = 1;  ///< jobs 0: as many as keep all cores busy
   bool cases = false, collect = false, overwrite = false;
-  std::string one;                ///< number or folder of the case to run; empty: all
-  std::string expect;             ///< hash of the inputs that this case is to have; empty: any
-  int parent = 0;                 ///< the process that started this one; 0: the user
+  std::string one;     ///< number or folder of the case to run; empty: all
+  std::string expect;  ///< hash of the inputs that this case is to have; empty: any
+  int parent = 0;      ///< the process that started this one; 0: the user
 };
 
 int run(const RunArguments& arguments);

@@ -33,8 +33,7 @@ std::string read_text(const fs::path& file) {
   if (fs::is_directory(file, error)) throw UserError(file.string() + " is a folder; a workflow file is needed");
   std::ifstream in(file, std::ios::binary);
   if (!in)
-    throw UserError("cannot read " + file.string() +
-                    (fs::exists(file, error) ? ": no permission" : ": no such file"));
+    throw UserError("cannot read " + file.string() + (fs::exists(file, error) ? ": no permission" : ": no such file"));
   std::ostringstream text;
   text << in.rdbuf();
   return text.str();

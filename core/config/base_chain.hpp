@@ -24,15 +24,15 @@ struct InputFile {
 
 /// Parsed, but neither merged nor checked against a schema: that needs the plugins, which the files may name.
 struct BaseChain {
-  std::vector<InputFile> files;   ///< the workflow, its base, that file's base, and so on; their index is Place::source
+  std::vector<InputFile> files;  ///< the workflow, its base, that file's base, and so on; their index is Place::source
   std::vector<Finding> findings;
-  bool whole = false;             ///< no file is missing, empty or broken
+  bool whole = false;  ///< no file is missing, empty or broken
 };
 
 /// One value of the merged workflow, given apart from its files.
 struct PlacedValue {
-  std::string path;              ///< "contact_law.friction", "postprocessors.0.every"
-  Place place;                   ///< of the path
+  std::string path;  ///< "contact_law.friction", "postprocessors.0.every"
+  Place place;       ///< of the path
   YamlPtr value;
 };
 

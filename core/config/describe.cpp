@@ -26,18 +26,28 @@ std::string items_text(const ParamSpec& spec) {
 std::string value_text(const ParamSpec& spec) {
   const std::string unit = " [" + (spec.unit == "1" ? "-" : spec.unit) + "]";
   switch (spec.type) {
-    case ParamType::quantity: return spec.unit == "1" ? "number" : "quantity" + unit;
+    case ParamType::quantity:
+      return spec.unit == "1" ? "number" : "quantity" + unit;
     case ParamType::quantity_list:
       return join({"list of " + (spec.unit == "1" ? "numbers" : "quantities" + unit), items_text(spec)}, ", ");
-    case ParamType::text_list: return join({"list of texts", items_text(spec)}, ", ");
-    case ParamType::group_list: return join({"list of mappings", items_text(spec)}, ", ");
-    case ParamType::plugin: return "one " + spec.plugin_kind;
-    case ParamType::plugin_list: return join({"list of " + spec.plugin_kind + " plugins", items_text(spec)}, ", ");
-    case ParamType::boolean: return "true or false";
-    case ParamType::group: return "mapping";
-    case ParamType::free_form: return "mapping of anything";
-    case ParamType::path: return "file";
-    default: return type_name(spec.type);
+    case ParamType::text_list:
+      return join({"list of texts", items_text(spec)}, ", ");
+    case ParamType::group_list:
+      return join({"list of mappings", items_text(spec)}, ", ");
+    case ParamType::plugin:
+      return "one " + spec.plugin_kind;
+    case ParamType::plugin_list:
+      return join({"list of " + spec.plugin_kind + " plugins", items_text(spec)}, ", ");
+    case ParamType::boolean:
+      return "true or false";
+    case ParamType::group:
+      return "mapping";
+    case ParamType::free_form:
+      return "mapping of anything";
+    case ParamType::path:
+      return "file";
+    default:
+      return type_name(spec.type);
   }
 }
 
@@ -129,19 +139,32 @@ void add_members_json(Json& out, const ParamSpec& group) {
 
 std::string type_name(ParamType type) {
   switch (type) {
-    case ParamType::quantity: return "quantity";
-    case ParamType::quantity_list: return "quantity_list";
-    case ParamType::integer: return "integer";
-    case ParamType::boolean: return "boolean";
-    case ParamType::text: return "text";
-    case ParamType::choice: return "choice";
-    case ParamType::path: return "path";
-    case ParamType::group: return "group";
-    case ParamType::group_list: return "group_list";
-    case ParamType::plugin: return "plugin";
-    case ParamType::plugin_list: return "plugin_list";
-    case ParamType::free_form: return "free_form";
-    case ParamType::text_list: return "text_list";
+    case ParamType::quantity:
+      return "quantity";
+    case ParamType::quantity_list:
+      return "quantity_list";
+    case ParamType::integer:
+      return "integer";
+    case ParamType::boolean:
+      return "boolean";
+    case ParamType::text:
+      return "text";
+    case ParamType::choice:
+      return "choice";
+    case ParamType::path:
+      return "path";
+    case ParamType::group:
+      return "group";
+    case ParamType::group_list:
+      return "group_list";
+    case ParamType::plugin:
+      return "plugin";
+    case ParamType::plugin_list:
+      return "plugin_list";
+    case ParamType::free_form:
+      return "free_form";
+    case ParamType::text_list:
+      return "text_list";
   }
   return {};
 }
@@ -194,7 +217,7 @@ std::string describe_markdown(const std::string& kind, const std::string& name, 
 }
 
 Json describe_json(const std::string& kind, const std::string& name, const Documentation& doc) {
-  Json j = {{"kind", kind},         {"name", name},       {"summary", doc.summary},
+  Json j = {{"kind", kind},           {"name", name},         {"summary", doc.summary},
             {"details", doc.details}, {"source", doc.source}, {"licence", doc.licence}};
   add_members_json(j, doc.root);
   return j;

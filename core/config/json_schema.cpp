@@ -135,19 +135,32 @@ class SchemaWriter {
 
   Json bare_value(const ParamSpec& spec, Extent extent) const {
     switch (spec.type) {
-      case ParamType::quantity: return quantity(spec);
-      case ParamType::quantity_list: return list(quantity(spec), spec);
-      case ParamType::integer: return integer(spec);
-      case ParamType::boolean: return {{"type", "boolean"}};
-      case ParamType::text: return text();
-      case ParamType::text_list: return list(text(), spec);
-      case ParamType::path: return {{"type", Json::array({"string", "number"})}};
-      case ParamType::choice: return choice(spec);
-      case ParamType::group: return group(spec, extent);
-      case ParamType::group_list: return list(group(spec, Extent::whole), spec);
-      case ParamType::plugin: return plugin(spec, extent);
-      case ParamType::plugin_list: return list(plugin(spec, Extent::whole), spec);
-      case ParamType::free_form: return {{"type", "object"}};
+      case ParamType::quantity:
+        return quantity(spec);
+      case ParamType::quantity_list:
+        return list(quantity(spec), spec);
+      case ParamType::integer:
+        return integer(spec);
+      case ParamType::boolean:
+        return {{"type", "boolean"}};
+      case ParamType::text:
+        return text();
+      case ParamType::text_list:
+        return list(text(), spec);
+      case ParamType::path:
+        return {{"type", Json::array({"string", "number"})}};
+      case ParamType::choice:
+        return choice(spec);
+      case ParamType::group:
+        return group(spec, extent);
+      case ParamType::group_list:
+        return list(group(spec, Extent::whole), spec);
+      case ParamType::plugin:
+        return plugin(spec, extent);
+      case ParamType::plugin_list:
+        return list(plugin(spec, Extent::whole), spec);
+      case ParamType::free_form:
+        return {{"type", "object"}};
     }
     return true;
   }

@@ -53,7 +53,8 @@ class Merger {
       const YamlEntry* entry = node->find(name);
       return entry && entry->value->place.source >= on_top;
     });
-    for (YamlEntry& entry : copy->entries) entry.value = drop_replaced(member_of(group, entry.key), entry.value, on_top);
+    for (YamlEntry& entry : copy->entries)
+      entry.value = drop_replaced(member_of(group, entry.key), entry.value, on_top);
     return copy;
   }
 

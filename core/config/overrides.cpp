@@ -69,7 +69,8 @@ YamlPtr with_value(const YamlPtr& node, const std::vector<Step>& steps, std::siz
 namespace {
 
 /// What cannot be applied becomes a finding.
-YamlPtr placed(const YamlPtr& root, const std::vector<Step>& steps, const YamlPtr& value, std::vector<Finding>& findings) {
+YamlPtr placed(const YamlPtr& root, const std::vector<Step>& steps, const YamlPtr& value,
+               std::vector<Finding>& findings) {
   try {
     return with_value(root, steps, 0, value, "");
   } catch (const Refused& refused) {
@@ -82,8 +83,10 @@ YamlPtr placed(const YamlPtr& root, const std::vector<Step>& steps, const YamlPt
 bool check_steps(const std::vector<Step>& steps, std::string_view path, std::vector<Finding>& findings) {
   for (const Step& step : steps)
     if (step.name.empty()) {
-      findings.push_back({step.place, "", "`" + std::string(path) + "` has an empty part; a path reads "
-                                          "`section.key` or `list.0.key`"});
+      findings.push_back({step.place, "",
+                          "`" + std::string(path) +
+                              "` has an empty part; a path reads "
+                              "`section.key` or `list.0.key`"});
       return false;
     }
   return true;

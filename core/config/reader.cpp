@@ -32,18 +32,20 @@ void refuse(std::vector<Finding> findings, const std::vector<InputFile>& files) 
 namespace {
 
 /// Takes the mapping `variants` out of the tree, and lays the one asked for over what is left.
-YamlPtr choose_variant(const YamlPtr& tree, const std::string& variant, const ParamSpec& root, const PluginDirectory& plugins,
-                       const std::string& file, std::vector<Finding>& findings) {
+YamlPtr choose_variant(const YamlPtr& tree, const std::string& variant, const ParamSpec& root,
+                       const PluginDirectory& plugins, const std::string& file, std::vector<Finding>& findings) {
   const YamlEntry* found = tree->find("variants");
   if (!found) {
-    if (!variant.empty()) throw UserError(file + ": there is no variant `" + variant + "`: the workflow has no `variants`");
+    if (!variant.empty())
+      throw UserError(file + ": there is no variant `" + variant + "`: the workflow has no `variants`");
     return tree;
   }
   const YamlEntry variants = *found;
   auto rest = std::make_shared<YamlNode>(*tree);
   std::erase_if(rest->entries, [](const YamlEntry& e) { return e.key == "variants"; });
   if (variants.value->kind != YamlNode::Kind::mapping) {
-    findings.push_back({variants.place, "variants", "must be a mapping: the name of each variant, and what differs in it"});
+    findings.push_back(
+        {variants.place, "variants", "must be a mapping: the name of each variant, and what differs in it"});
     return rest;
   }
   std::vector<std::string> names;
@@ -63,18 +65,20 @@ YamlPtr choose_variant(const YamlPtr& tree, const std::string& variant, const Pa
 }
 
 /// The files of the chain, each over its base, with the variant over them.
-YamlPtr merged(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins, const std::string& variant,
-               std::vector<Finding>& findings) {
+YamlPtr merged(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins,
+               const std::string& variant, std::vector<Finding>& findings) {
   if (!chain.whole) refuse(chain.findings, chain.files);
   YamlPtr tree = chain.files.back().tree;
   for (std::size_t k = chain.files.size() - 1; k-- > 0;) tree = merge(root, tree, chain.files[k].tree, plugins);
   findings = chain.findings;
-  if (tree->kind == YamlNode::Kind::mapping) tree = choose_variant(tree, variant, root, plugins, chain.files.front().name, findings);
+  if (tree->kind == YamlNode::Kind::mapping)
+    tree = choose_variant(tree, variant, root, plugins, chain.files.front().name, findings);
   return tree;
 }
 
-Json checked(const YamlPtr& tree, const std::vector<InputFile>& files, std::vector<Finding> findings, const ParamSpec& root,
-             const PluginDirectory& plugins, const std::function<Issues(const Json&)>& root_rules = {}) {
+Json checked(const YamlPtr& tree, const std::vector<InputFile>& files, std::vector<Finding> findings,
+             const ParamSpec& root, const PluginDirectory& plugins,
+             const std::function<Issues(const Json&)>& root_rules = {}) {
   if (const YamlEntry* base = tree->find("base"))
     findings.push_back({base->place, "base", "cannot be set here; only a workflow file names the file it builds on"});
 
@@ -104,7 +108,8 @@ YamlPtr with_source(const YamlPtr& node, int source) {
 std::vector<std::string> variants_of(const BaseChain& chain) {
   std::vector<std::string> names;
   for (const InputFile& file : chain.files) {
-    const YamlEntry* variants = file.tree && file.tree->kind == YamlNode::Kind::mapping ? file.tree->find("variants") : nullptr;
+    const YamlEntry* variants =
+        file.tree && file.tree->kind == YamlNode::Kind::mapping ? file.tree->find("variants") : nullptr;
     if (!variants || variants->value->kind != YamlNode::Kind::mapping) continue;
     for (const YamlEntry& e : variants->value->entries) names.push_back(e.key);
   }
@@ -113,7 +118,8 @@ std::vector<std::string> variants_of(const BaseChain& chain) {
   return names;
 }
 
-Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins, const ValuesOnTop& on_top) {
+Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins,
+                 const ValuesOnTop& on_top) {
   std::vector<Finding> findings;
   YamlPtr tree = merged(chain, root, plugins, {}, findings);
   std::vector<InputFile> files = chain.files;

@@ -34,7 +34,8 @@ std::vector<std::string> variants_of(const BaseChain& chain);
 
 /// The same with the values that a study gives in place of those of the command line. Relative paths in them start at
 /// the study's folder.
-Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins, const ValuesOnTop& on_top);
+Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins,
+                 const ValuesOnTop& on_top);
 
 /// What was found, in the order of the places, of which `files` are the sources.
 std::vector<Problem> problems_of(std::vector<Finding> findings, const std::vector<InputFile>& files);

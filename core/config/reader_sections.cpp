@@ -25,19 +25,24 @@ std::string joined(const std::vector<std::string>& names, const char* last) {
 
 Json SectionReader::read(const ParamSpec& spec, const YamlNode& node, const Site& site) {
   if (node.kind == YamlNode::Kind::null) {
-    report(site.place, site.path, "has no value; " + wanted_value(spec) + " is needed" +
-           (spec.required ? "" : ", or leave the key out"));
+    report(site.place, site.path,
+           "has no value; " + wanted_value(spec) + " is needed" + (spec.required ? "" : ", or leave the key out"));
     return nullptr;
   }
   switch (spec.type) {
-    case ParamType::group: return check_mapping(node, site, spec) ? read_members(spec, node, site) : Json();
-    case ParamType::plugin: return check_mapping(node, site, spec) ? read_plugin(spec, node, site) : Json();
-    case ParamType::free_form: return check_mapping(node, site, spec) ? plain_json(node) : Json();
+    case ParamType::group:
+      return check_mapping(node, site, spec) ? read_members(spec, node, site) : Json();
+    case ParamType::plugin:
+      return check_mapping(node, site, spec) ? read_plugin(spec, node, site) : Json();
+    case ParamType::free_form:
+      return check_mapping(node, site, spec) ? plain_json(node) : Json();
     case ParamType::quantity_list:
     case ParamType::text_list:
     case ParamType::group_list:
-    case ParamType::plugin_list: return read_list(spec, node, site);
-    default: return read_scalar(spec, node, site);
+    case ParamType::plugin_list:
+      return read_list(spec, node, site);
+    default:
+      return read_scalar(spec, node, site);
   }
 }
 
@@ -94,8 +99,9 @@ void SectionReader::check_known(const ParamSpec& group, const YamlNode& node, co
       report(entry.place, site.path, "a space is missing after the colon: write " + in_ticks(spaced));
       meant.insert(spaced.substr(0, spaced.find(':')));
     } else if (const auto section = section_with_key(entry.key, site.path, root_, tree_, plugins_)) {
-      report(entry.place, path, "does not belong here; " + in_ticks(entry.key) + " belongs " +
-             (section->empty() ? "at the top level" : "under " + in_ticks(*section)));
+      report(entry.place, path,
+             "does not belong here; " + in_ticks(entry.key) + " belongs " +
+                 (section->empty() ? "at the top level" : "under " + in_ticks(*section)));
     } else {
       const std::string near = closest(entry.key, free_names);
       meant.insert(near);
@@ -113,8 +119,8 @@ void SectionReader::check_alternatives(const ParamSpec& group, const YamlNode& n
     return present;
   };
   const auto refuse_several = [&](const std::vector<std::string>& names, const std::vector<std::string>& present) {
-    report(node.find(present[1])->place, site.path, "give only one of " + joined(names, " and ") + ", not " +
-           joined(present, " and "));
+    report(node.find(present[1])->place, site.path,
+           "give only one of " + joined(names, " and ") + ", not " + joined(present, " and "));
   };
   const auto has_default = [&](const std::string& name) {
     return std::any_of(group.members.begin(), group.members.end(),
@@ -150,14 +156,16 @@ bool SectionReader::is_decided_otherwise(const ParamSpec& group, const std::stri
 
 void SectionReader::report_missing(const ParamSpec& member, const Site& site) {
   const std::string example = example_line(member);
-  report(site.place, site.path, "is missing" + (member.doc.empty() ? "" : ": " + member.doc) +
-         (example.empty() ? "" : "; for instance " + in_ticks(example)));
+  report(site.place, site.path,
+         "is missing" + (member.doc.empty() ? "" : ": " + member.doc) +
+             (example.empty() ? "" : "; for instance " + in_ticks(example)));
 }
 
 Json SectionReader::read_list(const ParamSpec& spec, const YamlNode& node, const Site& site) {
   if (node.kind != YamlNode::Kind::sequence) {
-    report(node.place, site.path, "must be " + wanted_value(spec) + ", not " +
-           (node.kind == YamlNode::Kind::mapping ? "a mapping" : "the value " + in_ticks(node.text)));
+    report(node.place, site.path,
+           "must be " + wanted_value(spec) + ", not " +
+               (node.kind == YamlNode::Kind::mapping ? "a mapping" : "the value " + in_ticks(node.text)));
     return nullptr;
   }
   const std::size_t count = node.items.size();
@@ -173,7 +181,8 @@ Json SectionReader::read_list(const ParamSpec& spec, const YamlNode& node, const
   ParamSpec item = spec;
   item.type = spec.type == ParamType::quantity_list ? ParamType::quantity
               : spec.type == ParamType::text_list   ? ParamType::text
-              : spec.type == ParamType::group_list  ? ParamType::group : ParamType::plugin;
+              : spec.type == ParamType::group_list  ? ParamType::group
+                                                    : ParamType::plugin;
   item.required = true;
   Json all = Json::array();
   for (std::size_t k = 0; k < count; ++k) {
@@ -202,8 +211,9 @@ Json SectionReader::read_plugin_type(const ParamSpec& spec, const YamlNode& node
   }
   if (std::find(known.begin(), known.end(), value.text) == known.end()) {
     const std::string near = closest(value.text, known);
-    report(value.place, path, "no " + spec.plugin_kind + " is named " + in_ticks(value.text) +
-           (near.empty() ? "" : "; did you mean " + in_ticks(near) + "?") + (near.empty() ? "; " : " ") + names);
+    report(value.place, path,
+           "no " + spec.plugin_kind + " is named " + in_ticks(value.text) +
+               (near.empty() ? "" : "; did you mean " + in_ticks(near) + "?") + (near.empty() ? "; " : " ") + names);
     return nullptr;
   }
   return value.text;

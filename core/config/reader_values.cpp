@@ -46,36 +46,55 @@ std::string example_line(const ParamSpec& spec) {
 
 std::string wanted_value(const ParamSpec& spec) {
   switch (spec.type) {
-    case ParamType::quantity: return dimension_name(spec.unit);
-    case ParamType::quantity_list: return "a list (`[..., ...]`), each item " + dimension_name(spec.unit);
-    case ParamType::integer: return "a whole number";
-    case ParamType::boolean: return "`true` or `false`";
-    case ParamType::text: return "a text";
-    case ParamType::choice: return "one of its names";
-    case ParamType::path: return "the name of a file";
-    case ParamType::text_list: return "a list (`[..., ...]`) of texts";
-    case ParamType::group: return "a mapping (`key: value` lines)";
-    case ParamType::group_list: return "a list (`- ` items) of mappings";
-    case ParamType::plugin: return "a mapping that begins with `type: NAME`";
-    case ParamType::plugin_list: return "a list of items that begin with `- type: NAME`";
-    case ParamType::free_form: return "a mapping (`key: value` lines)";
+    case ParamType::quantity:
+      return dimension_name(spec.unit);
+    case ParamType::quantity_list:
+      return "a list (`[..., ...]`), each item " + dimension_name(spec.unit);
+    case ParamType::integer:
+      return "a whole number";
+    case ParamType::boolean:
+      return "`true` or `false`";
+    case ParamType::text:
+      return "a text";
+    case ParamType::choice:
+      return "one of its names";
+    case ParamType::path:
+      return "the name of a file";
+    case ParamType::text_list:
+      return "a list (`[..., ...]`) of texts";
+    case ParamType::group:
+      return "a mapping (`key: value` lines)";
+    case ParamType::group_list:
+      return "a list (`- ` items) of mappings";
+    case ParamType::plugin:
+      return "a mapping that begins with `type: NAME`";
+    case ParamType::plugin_list:
+      return "a list of items that begin with `- type: NAME`";
+    case ParamType::free_form:
+      return "a mapping (`key: value` lines)";
   }
   return {};
 }
 
 Json SectionReader::read_scalar(const ParamSpec& spec, const YamlNode& node, const Site& site) {
   if (node.kind != YamlNode::Kind::scalar) {
-    report(node.place, site.path, "must be " + wanted_value(spec) + ", not a " +
-           (node.kind == YamlNode::Kind::sequence ? "list" : "mapping"));
+    report(node.place, site.path,
+           "must be " + wanted_value(spec) + ", not a " + (node.kind == YamlNode::Kind::sequence ? "list" : "mapping"));
     return nullptr;
   }
   switch (spec.type) {
-    case ParamType::quantity: return read_quantity_value(spec, node, site);
-    case ParamType::integer: return read_integer(spec, node, site);
-    case ParamType::boolean: return read_boolean(node, site);
-    case ParamType::choice: return read_choice(spec, node, site);
-    case ParamType::path: return read_path(node, site);
-    default: return node.text;
+    case ParamType::quantity:
+      return read_quantity_value(spec, node, site);
+    case ParamType::integer:
+      return read_integer(spec, node, site);
+    case ParamType::boolean:
+      return read_boolean(node, site);
+    case ParamType::choice:
+      return read_choice(spec, node, site);
+    case ParamType::path:
+      return read_path(node, site);
+    default:
+      return node.text;
   }
 }
 
@@ -132,8 +151,9 @@ Json SectionReader::read_choice(const ParamSpec& spec, const YamlNode& node, con
     names.push_back(choice.name);
   }
   const std::string near = closest(node.text, names);
-  report(node.place, site.path, in_ticks(node.text) + " is not one of " + list_of(names, 30) +
-         (near.empty() ? "" : "; did you mean " + in_ticks(near) + "?"));
+  report(node.place, site.path,
+         in_ticks(node.text) + " is not one of " + list_of(names, 30) +
+             (near.empty() ? "" : "; did you mean " + in_ticks(near) + "?"));
   return nullptr;
 }
 

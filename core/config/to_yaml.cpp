@@ -15,15 +15,22 @@ class TreeWriter {
 
   YamlPtr write(const ParamSpec& spec, const Json& value) const {
     switch (spec.type) {
-      case ParamType::quantity: return value.is_number() ? quantity(spec, value) : as_it_stands(value);
-      case ParamType::quantity_list: return list(value, [&](const Json& item) { return quantity(spec, item); });
-      case ParamType::group: return members(spec, value);
-      case ParamType::group_list: return list(value, [&](const Json& item) { return members(spec, item); });
-      case ParamType::plugin: return plugin(spec, value);
-      case ParamType::plugin_list: return list(value, [&](const Json& item) { return plugin(spec, item); });
+      case ParamType::quantity:
+        return value.is_number() ? quantity(spec, value) : as_it_stands(value);
+      case ParamType::quantity_list:
+        return list(value, [&](const Json& item) { return quantity(spec, item); });
+      case ParamType::group:
+        return members(spec, value);
+      case ParamType::group_list:
+        return list(value, [&](const Json& item) { return members(spec, item); });
+      case ParamType::plugin:
+        return plugin(spec, value);
+      case ParamType::plugin_list:
+        return list(value, [&](const Json& item) { return plugin(spec, item); });
       case ParamType::choice:
         return value.is_string() ? scalar(value.get<std::string>(), true) : as_it_stands(value);
-      default: return as_it_stands(value);
+      default:
+        return as_it_stands(value);
     }
   }
 
@@ -43,7 +50,8 @@ class TreeWriter {
   YamlPtr quantity(const ParamSpec& spec, const Json& value) const {
     return value.is_number() ? scalar(format_quantity(value.get<double>(), spec.unit), true) : as_it_stands(value);
   }
-  template <class Item> YamlPtr list(const Json& value, Item&& item) const {
+  template <class Item>
+  YamlPtr list(const Json& value, Item&& item) const {
     if (!value.is_array()) return as_it_stands(value);
     auto node = make(YamlNode::Kind::sequence);
     for (const Json& element : value) node->items.push_back(item(element));

@@ -23,7 +23,7 @@ std::optional<Unit> find_unit(std::string_view text);
 
 /// One family of quantities that has a common name.
 struct Family {
-  const char* name;      ///< with its article: "a pressure"
+  const char* name;  ///< with its article: "a pressure"
   const char* si;
   const char* examples;  ///< "Pa, MPa, GPa or psi"
   const char* usual;     ///< "MPa"

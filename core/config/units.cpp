@@ -59,7 +59,8 @@ std::optional<double> convert(const DecimalText& number, double factor, double o
   const std::string similar = units::similar_unit(unit, wanted.dimension);
   const std::string hint = similar.empty() ? std::string() : "; did you mean " + in_ticks(similar) + "?";
   if (!found) {
-    throw UserError(in_ticks(unit) + " is not a known unit; " + needed(wanted.dimension, si_unit) + " is needed" + hint);
+    throw UserError(in_ticks(unit) + " is not a known unit; " + needed(wanted.dimension, si_unit) + " is needed" +
+                    hint);
   }
   const units::Family* family = units::family_of(found->dimension);
   const std::string what = family ? std::string("is ") + family->name : std::string("is of another dimension");

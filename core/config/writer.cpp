@@ -46,8 +46,12 @@ class TextWriter {
   /// What follows "key:" or "-": on the same line, or on lines of its own.
   void write_value(const YamlNode& node, int indent) {
     switch (node.kind) {
-      case YamlNode::Kind::null: text += " null\n"; return;
-      case YamlNode::Kind::scalar: text += " " + scalar_text(node) + "\n"; return;
+      case YamlNode::Kind::null:
+        text += " null\n";
+        return;
+      case YamlNode::Kind::scalar:
+        text += " " + scalar_text(node) + "\n";
+        return;
       case YamlNode::Kind::mapping:
         text += node.entries.empty() ? " {}\n" : "\n";
         write_entries(node, indent);

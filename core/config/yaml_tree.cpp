@@ -121,8 +121,9 @@ class TreeBuilder final : public YAML::EventHandler {
       if (text[k] == '[' || text[k] == '{') ++depth;
       if ((text[k] == ']' || text[k] == '}') && --depth == 0) break;
     }
-    throw Stop{{source_.place(at), path_here(), depth > 0 ? "a bracket that is opened here is not closed"
-                                                          : "a key must be a word; a list or mapping cannot be one"}};
+    throw Stop{{source_.place(at), path_here(),
+                depth > 0 ? "a bracket that is opened here is not closed"
+                          : "a key must be a word; a list or mapping cannot be one"}};
   }
 
   void open(YamlNode::Kind kind, const std::string& tag, const YAML::Mark& mark, YAML::anchor_t anchor) {
@@ -194,8 +195,10 @@ class TreeBuilder final : public YAML::EventHandler {
     } else if (node.plain && text.substr(at, node.text.size()) != node.text) {
       const std::string_view line = source_.line(source_.line_of(at));
       const std::string first(line.substr(at - source_.line_start(source_.line_of(at))));
-      throw Stop{{source_.place(at), path_here(), "`" + first.substr(0, 60) + "` goes on in the next line; check the "
-                                                  "indentation there, colons and brackets"}};
+      throw Stop{{source_.place(at), path_here(),
+                  "`" + first.substr(0, 60) +
+                      "` goes on in the next line; check the "
+                      "indentation there, colons and brackets"}};
     }
   }
 
@@ -248,9 +251,7 @@ YamlPtr parse_yaml(std::string_view text, Place origin, std::vector<Finding>& fi
       return nullptr;
     }
     return first.root();
-  } catch (const Stop& stop) {
-    findings.push_back(stop.finding);
-  } catch (const YAML::ParserException& error) {
+  } catch (const Stop& stop) { findings.push_back(stop.finding); } catch (const YAML::ParserException& error) {
     findings.push_back(explain_syntax(source, error.mark.pos < 0 ? 0 : std::size_t(error.mark.pos), error.msg));
   }
   return nullptr;
@@ -258,7 +259,8 @@ YamlPtr parse_yaml(std::string_view text, Place origin, std::vector<Finding>& fi
 
 Json plain_json(const YamlNode& node) {
   switch (node.kind) {
-    case YamlNode::Kind::null: return nullptr;
+    case YamlNode::Kind::null:
+      return nullptr;
     case YamlNode::Kind::sequence: {
       Json all = Json::array();
       for (const YamlPtr& item : node.items) all.push_back(plain_json(*item));
@@ -271,7 +273,8 @@ Json plain_json(const YamlNode& node) {
         all.get_ref<Json::object_t&>().push_back({entry.key, plain_json(*entry.value)});
       return all;
     }
-    case YamlNode::Kind::scalar: break;
+    case YamlNode::Kind::scalar:
+      break;
   }
   if (!node.plain) return node.text;
   if (node.text == "true" || node.text == "false") return node.text == "true";

@@ -38,11 +38,11 @@ struct YamlNode {
   enum class Kind { null, scalar, sequence, mapping };
   Kind kind = Kind::null;
   Place place;
-  std::string text;         ///< of a scalar
-  bool plain = true;        ///< a scalar without quotes
+  std::string text;   ///< of a scalar
+  bool plain = true;  ///< a scalar without quotes
   std::vector<YamlPtr> items;
   std::vector<YamlEntry> entries;
-  std::size_t weight = 1;   ///< characters and nodes when all aliases are written out
+  std::size_t weight = 1;  ///< characters and nodes when all aliases are written out
 
   const YamlEntry* find(std::string_view key) const;
 };

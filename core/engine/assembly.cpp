@@ -25,8 +25,10 @@ void refuse_bad(const PackedParticles& p) {
   if (p.position.empty()) throw UserError("the packing has no particles");
   BRECCIA_ASSERT(p.position.size() == p.radius.size());
   for (std::size_t k = 0; k < p.position.size(); ++k) {
-    if (!p.position[k].allFinite()) throw UserError("particle " + std::to_string(k) + " of the packing has a position that is not a finite number");
-    if (!(p.radius[k] > 0) || !std::isfinite(p.radius[k])) throw UserError("particle " + std::to_string(k) + " of the packing has a radius that is not a positive number");
+    if (!p.position[k].allFinite())
+      throw UserError("particle " + std::to_string(k) + " of the packing has a position that is not a finite number");
+    if (!(p.radius[k] > 0) || !std::isfinite(p.radius[k]))
+      throw UserError("particle " + std::to_string(k) + " of the packing has a radius that is not a positive number");
   }
 }
 
@@ -37,12 +39,16 @@ std::vector<Index> morton_order(std::span<const Vec3> points) {
   std::iota(order.begin(), order.end(), Index(0));
   if (points.empty()) return order;
   Vec3 low = points[0], high = points[0];
-  for (const Vec3& p : points) { low = low.cwiseMin(p); high = high.cwiseMax(p); }
+  for (const Vec3& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
   const double scale = 2097151.0 / std::max((high - low).maxCoeff(), 1e-300);
   std::vector<std::uint64_t> code(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Vec3 cell = (points[k] - low) * scale;
-    code[k] = spread(std::uint64_t(cell.x())) | spread(std::uint64_t(cell.y())) << 1 | spread(std::uint64_t(cell.z())) << 2;
+    code[k] =
+        spread(std::uint64_t(cell.x())) | spread(std::uint64_t(cell.y())) << 1 | spread(std::uint64_t(cell.z())) << 2;
   }
   std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return code[a] < code[b]; });
   return order;
@@ -58,7 +64,8 @@ State assemble(const PackedParticles& packing, const Material& material, int dim
   const std::size_t n = order.size();
   for (const Index k : order) {
     const double r = packing.radius[k];
-    if (dimension == 2 && packing.position[k].z() != 0) throw UserError("a two-dimensional packing must lie in the plane z = 0");
+    if (dimension == 2 && packing.position[k].z() != 0)
+      throw UserError("a two-dimensional packing must lie in the plane z = 0");
     const double m = dimension == 2 ? material.density * std::numbers::pi * r * r * thickness
                                     : material.density * 4.0 / 3.0 * std::numbers::pi * r * r * r;
     p.position.push_back(packing.position[k]);
@@ -67,10 +74,12 @@ State assemble(const PackedParticles& packing, const Material& material, int dim
     p.inertia.push_back((dimension == 2 ? 0.5 : 0.4) * m * r * r);
     p.id.push_back(k);
   }
-  for (auto* field : {&p.velocity, &p.angular_velocity, &p.force, &p.torque, &p.applied_force}) field->assign(n, Vec3::Zero());
+  for (auto* field : {&p.velocity, &p.angular_velocity, &p.force, &p.torque, &p.applied_force})
+    field->assign(n, Vec3::Zero());
   p.reference_position = p.position;
   p.held.assign(n, dimension == 2 ? dof::out_of_plane : std::uint8_t(0));
-  s.specimen = measure_specimen(p.position, p.radius, packing.outline, packing.axis, dimension, thickness, packing.container_volume);
+  s.specimen = measure_specimen(p.position, p.radius, packing.outline, packing.axis, dimension, thickness,
+                                packing.container_volume);
   return s;
 }
 

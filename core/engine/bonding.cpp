@@ -43,7 +43,9 @@ std::vector<Candidate> nearest_pairs(const Particles& p, GapMeasure measure, std
     std::erase_if(found, [&](const Candidate& c) { return c.gap > limit; });
     return found;
   }
-  throw UserError("bonding.coordination_number: so few neighbours exist that it cannot be reached even by bonds across gaps of several radii");
+  throw UserError(
+      "bonding.coordination_number: so few neighbours exist that it cannot be reached even by bonds across gaps of "
+      "several radii");
 }
 
 }  // namespace
@@ -55,13 +57,15 @@ BondingResult make_bonds(State& state, const BondingRule& rule) {
   if (rule.coordination_number) {
     const auto wanted = std::size_t(std::llround(0.5 * *rule.coordination_number * double(p.size())));
     if (wanted > p.size() * (p.size() - 1) / 2)
-      throw UserError("bonding.coordination_number: " + std::to_string(p.size()) + " particles cannot have that many neighbours");
+      throw UserError("bonding.coordination_number: " + std::to_string(p.size()) +
+                      " particles cannot have that many neighbours");
     if (wanted > 0) chosen = nearest_pairs(p, rule.measure, wanted, result.limit);
   } else {
     result.limit = *rule.limit;
     chosen = pairs_within(p, rule.measure, result.limit);
   }
-  std::sort(chosen.begin(), chosen.end(), [](const Candidate& a, const Candidate& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; });
+  std::sort(chosen.begin(), chosen.end(),
+            [](const Candidate& a, const Candidate& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; });
   Bonds& b = state.bonds;
   b = {};
   for (const Candidate& c : chosen) {

@@ -11,8 +11,8 @@ namespace {
 constexpr std::size_t block = 128;
 
 /// d^2 less the reach squared, for n candidates; a hair below what is exact, so that rounding loses none.
-BRECCIA_VECTOR_CLONES void excess(const double* x, const double* y, const double* z, const double* r, std::size_t n, const Vec3& at,
-                                  double reach, double* out) {
+BRECCIA_VECTOR_CLONES void excess(const double* x, const double* y, const double* z, const double* r, std::size_t n,
+                                  const Vec3& at, double reach, double* out) {
   const double ax = at.x(), ay = at.y(), az = at.z();
 #pragma omp simd
   for (std::size_t k = 0; k < n; ++k) {
@@ -29,7 +29,9 @@ NeighbourSearch::NeighbourSearch(const Particles& p, double skin)
   for (auto* v : {&x_, &y_, &z_, &r_}) v->resize(members.size());
   for (std::size_t m = 0; m < members.size(); ++m) {
     const Vec3& at = p.position[members[m]];
-    x_[m] = at.x(); y_[m] = at.y(); z_[m] = at.z();
+    x_[m] = at.x();
+    y_[m] = at.y();
+    z_[m] = at.z();
     r_[m] = p.radius[members[m]];
   }
 }

@@ -21,7 +21,11 @@ std::vector<std::size_t> rows_by_first(const std::vector<Index>& first, std::siz
 
 /// Keeps the memory that is there; what it holds is overwritten.
 void resize(Pairs& p, std::size_t n, std::size_t columns, bool moments) {
-  p.i.resize(n); p.j.resize(n); p.bond.resize(n); p.rest_length.resize(n); p.state.resize(n);
+  p.i.resize(n);
+  p.j.resize(n);
+  p.bond.resize(n);
+  p.rest_length.resize(n);
+  p.state.resize(n);
   p.columns.resize(columns);
   for (auto& c : p.columns) c.resize(n);
   p.force.resize(n);
@@ -80,7 +84,8 @@ std::vector<Index> rebuild_pairs(State& s, ContactLaw& law, double skin, Pairs& 
       partners.clear();
       search.append_partners(i, partners);
       for (std::size_t k = old_start[i]; k < old_start[i + 1]; ++k)
-        if (old.state[k] == BondState::intact || distance(p, i, old.j[k]) < old.rest_length[k] + skin) partners.push_back(old.j[k]);
+        if (old.state[k] == BondState::intact || distance(p, i, old.j[k]) < old.rest_length[k] + skin)
+          partners.push_back(old.j[k]);
       if (first_time)
         for (std::size_t k = bond_start[i]; k < bond_start[i + 1]; ++k) partners.push_back(s.bonds.j[k]);
       std::sort(partners.begin(), partners.end());
@@ -123,12 +128,14 @@ std::vector<Index> rebuild_pairs(State& s, ContactLaw& law, double skin, Pairs& 
         q.rest_length[k] = old.rest_length[from];
         q.state[k] = old.state[from];
       } else {
-        const auto begin = s.bonds.j.begin() + std::ptrdiff_t(bond_start[i]), end = s.bonds.j.begin() + std::ptrdiff_t(bond_start[i + 1]);
+        const auto begin = s.bonds.j.begin() + std::ptrdiff_t(bond_start[i]),
+                   end = s.bonds.j.begin() + std::ptrdiff_t(bond_start[i + 1]);
         const auto at = std::lower_bound(begin, end, j);
         const bool bonded = first_time && at != end && *at == j;
         q.bond[k] = bonded ? Index(at - s.bonds.j.begin()) : PairsView::no_bond;
         q.state[k] = bonded ? BondState::intact : BondState::unbonded;
-        q.rest_length[k] = bonded ? s.bonds.initial_distance[q.bond[k]] : std::min(distance(p, i, j), p.radius[i] + p.radius[j]);
+        q.rest_length[k] =
+            bonded ? s.bonds.initial_distance[q.bond[k]] : std::min(distance(p, i, j), p.radius[i] + p.radius[j]);
         rows.changed.insert(rows.changed.end(), {i, j});
         PairBatch one = all;
         one.begin = k;
@@ -161,7 +168,10 @@ Incidence make_incidence(const State& s, int threads) {
   const auto part = [&](std::size_t k) { return q.size() * k / t; };
 #pragma omp parallel for schedule(static, 1) num_threads(threads)
   for (std::size_t k = 0; k < t; ++k)
-    for (std::size_t r = part(k); r < part(k + 1); ++r) { ++place[k * n + q.i[r]]; ++place[k * n + q.j[r]]; }
+    for (std::size_t r = part(k); r < part(k + 1); ++r) {
+      ++place[k * n + q.i[r]];
+      ++place[k * n + q.j[r]];
+    }
   Index before = 0;
   for (std::size_t a = 0; a < n; ++a) {
     in.start[a] = before;

@@ -17,8 +17,8 @@ struct Incidence {
 };
 
 /// Rebuilds the pair list with the given skin [m]; pairs that stay keep their history, new ones get it from the law.
-/// `spare` lends its memory and receives the old list. A pair that is no longer an intact bond leaves once its surfaces (or its rest length) are a skin apart. Returns the
-/// particles that got a new neighbour, ascending.
+/// `spare` lends its memory and receives the old list. A pair that is no longer an intact bond leaves once its surfaces
+/// (or its rest length) are a skin apart. Returns the particles that got a new neighbour, ascending.
 std::vector<Index> rebuild_pairs(State& state, ContactLaw& law, double skin, Pairs& spare, int threads);
 
 /// The batch of all pairs of the state, for calls of the law; per-chunk sums are not set.

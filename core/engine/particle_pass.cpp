@@ -12,21 +12,23 @@ namespace {
 
 constexpr std::size_t block = 256;  // grain of the sums: never depends on the thread count
 
-/// Advances n velocity vectors, three numbers each, as one vector loop. Bits 0 to 2 of held >> shift: components that keep
-/// their velocity. Yields the energy that damping took, and the work of the hands that hold.
-BRECCIA_VECTOR_CLONES void advance(double* v, const double* load, const double* mass, const std::uint8_t* held, int shift, std::size_t n,
-                                   double alpha, double dt, double* lost, double* work) {
+/// Advances n velocity vectors, three numbers each, as one vector loop. Bits 0 to 2 of held >> shift: components that
+/// keep their velocity. Yields the energy that damping took, and the work of the hands that hold.
+BRECCIA_VECTOR_CLONES void advance(double* v, const double* load, const double* mass, const std::uint8_t* held,
+                                   int shift, std::size_t n, double alpha, double dt, double* lost, double* work) {
 #pragma omp simd
   for (std::size_t k = 0; k < n; ++k) {
     const int bits = held[k] >> shift;
     const double ox = bits & 1 ? 0.0 : 1.0, oy = bits & 2 ? 0.0 : 1.0, oz = bits & 4 ? 0.0 : 1.0;
-    const double vx = v[3 * k], vy = v[3 * k + 1], vz = v[3 * k + 2], lx = load[3 * k], ly = load[3 * k + 1], lz = load[3 * k + 2];
+    const double vx = v[3 * k], vy = v[3 * k + 1], vz = v[3 * k + 2], lx = load[3 * k], ly = load[3 * k + 1],
+                 lz = load[3 * k + 2];
     const double fx = ox * lx, fy = oy * ly, fz = oz * lz, ux = ox * vx, uy = oy * vy, uz = oz * vz;
     const double speed2 = ux * ux + (uy * uy + uz * uz), force2 = fx * fx + (fy * fy + fz * fz);
     const bool drags = (alpha > 0) & (speed2 > 0);
     const double share = -alpha * std::sqrt(force2 / (drags ? speed2 : 1.0));
     const double dx = drags ? ux * share : 0.0, dy = drags ? uy * share : 0.0, dz = drags ? uz * share : 0.0;
-    const double mobility = dt / mass[k], gx = mobility * (fx + dx), gy = mobility * (fy + dy), gz = mobility * (fz + dz);
+    const double mobility = dt / mass[k], gx = mobility * (fx + dx), gy = mobility * (fy + dy),
+                 gz = mobility * (fz + dz);
     lost[k] = -(dx * (vx + 0.5 * gx) + (dy * (vy + 0.5 * gy) + dz * (vz + 0.5 * gz))) * dt;
     work[k] = -((lx - fx) * vx + ((ly - fy) * vy + (lz - fz) * vz)) * dt;  // they oppose the resultant
     v[3 * k] = vx + gx;
@@ -45,8 +47,10 @@ double half_applied_work(const Particles& p, std::size_t first, std::size_t end,
 }  // namespace
 
 void clear_forces(State& s, const Share& share) {
-  std::fill(s.particles.force.begin() + share.first_particle, s.particles.force.begin() + share.end_particle, Vec3::Zero());
-  std::fill(s.particles.torque.begin() + share.first_particle, s.particles.torque.begin() + share.end_particle, Vec3::Zero());
+  std::fill(s.particles.force.begin() + share.first_particle, s.particles.force.begin() + share.end_particle,
+            Vec3::Zero());
+  std::fill(s.particles.torque.begin() + share.first_particle, s.particles.torque.begin() + share.end_particle,
+            Vec3::Zero());
 }
 
 void complete_forces(State& s, const Share& share, const Incidence& in, const std::vector<Vec3>& external_force,
@@ -79,8 +83,10 @@ PassSums integrate(State& s, const Damping& damping, bool any_applied, int threa
     const std::size_t first = std::size_t(b) * block, end = std::min(n, first + block);
     double lost[2][block], work[2][block];
     if (any_applied) sum.boundary_work += half_applied_work(p, first, end, dt);
-    advance(p.velocity[first].data(), p.force[first].data(), &p.mass[first], &p.held[first], 0, end - first, damping.translational, dt, lost[0], work[0]);
-    advance(p.angular_velocity[first].data(), p.torque[first].data(), &p.inertia[first], &p.held[first], 3, end - first, damping.rotational, dt, lost[1], work[1]);
+    advance(p.velocity[first].data(), p.force[first].data(), &p.mass[first], &p.held[first], 0, end - first,
+            damping.translational, dt, lost[0], work[0]);
+    advance(p.angular_velocity[first].data(), p.torque[first].data(), &p.inertia[first], &p.held[first], 3, end - first,
+            damping.rotational, dt, lost[1], work[1]);
     if (any_applied) sum.boundary_work += half_applied_work(p, first, end, dt);
     for (std::size_t k = 0; k < end - first; ++k) {
       sum.damping += lost[0][k] + lost[1][k];

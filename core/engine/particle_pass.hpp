@@ -23,16 +23,16 @@ struct PassSums {
 void clear_forces(State& state, const Share& share);
 
 /// After all pairs are: sums those particles of the share that are apart, and adds walls' and applied loads to all.
-void complete_forces(State& state, const Share& share, const Incidence& incidence, const std::vector<Vec3>& external_force,
-                     const std::vector<Vec3>& external_torque);
+void complete_forces(State& state, const Share& share, const Incidence& incidence,
+                     const std::vector<Vec3>& external_force, const std::vector<Vec3>& external_torque);
 
 /// Leapfrog: velocities by one step with the resultants in `force` and `torque` and damping, then positions.
 /// Held components keep their velocity; the work that this takes counts as boundary work.
 PassSums integrate(State& state, const Damping& damping, bool any_applied, int threads);
 
-/// At the time of the positions [J], as 1/2 m v(before) v(after) with the velocities half a step to either side: the form
-/// that leapfrog conserves exactly, together with the stored energy, in a linear system. Damping is left out of the
-/// second on purpose, since the ledger counts its work up to the middle of the step only.
+/// At the time of the positions [J], as 1/2 m v(before) v(after) with the velocities half a step to either side: the
+/// form that leapfrog conserves exactly, together with the stored energy, in a linear system. Damping is left out of
+/// the second on purpose, since the ledger counts its work up to the middle of the step only.
 double kinetic_energy(const State& state);
 
 }  // namespace breccia

@@ -28,7 +28,8 @@ Partition make_partition(const State& s, const Incidence& in, int threads) {
   for (Share& share : p.shares)
     for (Index a = share.first_particle; a < share.end_particle; ++a) {
       const std::size_t begin = in.start[a], end = in.start[a + 1];
-      if (begin == end || (in.entry[begin] >> 1 >= share.first_pair && in.entry[end - 1] >> 1 < share.end_pair)) continue;
+      if (begin == end || (in.entry[begin] >> 1 >= share.first_pair && in.entry[end - 1] >> 1 < share.end_pair))
+        continue;
       share.apart.push_back(a);
       p.apart[a] = 1;
       for (std::size_t e = begin; e < end; ++e) p.chunk_apart[(in.entry[e] >> 1) / chunk] = 1;

@@ -42,8 +42,9 @@ void Simulation::prepare() {
   critical_ = std::numeric_limits<double>::infinity();
   rebuild();
   if (!std::isfinite(critical_))
-    throw UserError("no bond or contact is stiff enough to set a time step: the particles do not touch; "
-                    "raise bonding.tolerance or use a denser packing");
+    throw UserError(
+        "no bond or contact is stiff enough to set a time step: the particles do not touch; "
+        "raise bonding.tolerance or use a denser packing");
 }
 
 void Simulation::rebuild() {
@@ -71,14 +72,16 @@ void Simulation::rebuild() {
 }
 
 void Simulation::update_time_step(const std::vector<Index>& changed) {
-  // Only new neighbours and walls can ask for a shorter step, and it only shrinks: a longer one half-way is not worth the jump.
+  // Only new neighbours and walls can ask for a shorter step, and it only shrinks: a longer one half-way is not worth
+  // the jump.
   critical_ = std::min(critical_, critical_time_step(state_, law_, incidence_, changed, settings_.threads));
   state_.time_step = settings_.safety * critical_;
 }
 
 void Simulation::forces(bool to_be_viewed) {
   State& s = state_;
-  // The bound adds up the fastest particle of each step; only when it says "perhaps" are the true displacements looked at.
+  // The bound adds up the fastest particle of each step; only when it says "perhaps" are the true displacements looked
+  // at.
   const double allowed = 0.9 * skin_;
   if (2 * s.moved_bound > allowed || s.moved_bound + s.walls_moved > allowed) {
     s.moved_bound = largest_displacement_since_rebuild(s, settings_.threads);
@@ -110,7 +113,8 @@ void Simulation::forces(bool to_be_viewed) {
 #pragma omp single  // the first to be through; at its end the others are, too
     wall_forces(s, external_force_, external_torque_);
 #pragma omp for schedule(static, 1)
-    for (std::size_t t = 0; t < shares; ++t) complete_forces(s, partition_.shares[t], incidence_, external_force_, external_torque_);
+    for (std::size_t t = 0; t < shares; ++t)
+      complete_forces(s, partition_.shares[t], incidence_, external_force_, external_torque_);
   }
   record_breaks();
 }
@@ -126,12 +130,14 @@ void Simulation::record_breaks() {
       const Index i = s.pairs.i[k];
       const Index j = s.pairs.j[k];
       const Vec3 branch = s.particles.position[j] - s.particles.position[i];
-      const double distance = std::sqrt(branch.x() * branch.x() + branch.y() * branch.y() + branch.z() * branch.z());  // as the loop has it
+      const double distance =
+          std::sqrt(branch.x() * branch.x() + branch.y() * branch.y() + branch.z() * branch.z());  // as the loop has it
       const double half_gap = 0.5 * (distance - s.particles.radius[i] - s.particles.radius[j]);
       s.bonds.state[b] = s.pairs.state[k];
       s.bonds.break_time[b] = s.time;
       s.bonds.break_normal[b] = branch.normalized();
-      s.bonds.break_position[b] = s.particles.position[i] + (s.particles.radius[i] + half_gap) * s.bonds.break_normal[b];
+      s.bonds.break_position[b] =
+          s.particles.position[i] + (s.particles.radius[i] + half_gap) * s.bonds.break_normal[b];
     }
   }
 }
@@ -176,7 +182,17 @@ double Simulation::elastic_energy() {
 
 ParticlesView Simulation::particles() const {
   const Particles& p = state_.particles;
-  return {p.position, p.velocity, p.angular_velocity, p.reference_position, p.force, p.torque, p.applied_force, p.applied_moment, p.radius, p.mass, p.id};
+  return {p.position,
+          p.velocity,
+          p.angular_velocity,
+          p.reference_position,
+          p.force,
+          p.torque,
+          p.applied_force,
+          p.applied_moment,
+          p.radius,
+          p.mass,
+          p.id};
 }
 
 BondStiffness Simulation::bond_stiffness() {
@@ -210,8 +226,8 @@ BondStiffness Simulation::bond_stiffness() {
 
 SpecimenShape Simulation::set_specimen_axis(const Vec3& axis) {
   const SpecimenShape& old = state_.specimen;
-  state_.specimen = measure_specimen(state_.particles.position, state_.particles.radius, old.outline, axis, state_.dimension,
-                                     state_.thickness, old.volume);
+  state_.specimen = measure_specimen(state_.particles.position, state_.particles.radius, old.outline, axis,
+                                     state_.dimension, state_.thickness, old.volume);
   return state_.specimen;
 }
 
@@ -223,15 +239,16 @@ void Simulation::mark_start_of_loading() {
   state_.particles.reference_position = state_.particles.position;
   for (Wall& w : state_.walls) w.displacement.setZero();
   const SpecimenShape& old = state_.specimen;
-  state_.specimen = measure_specimen(state_.particles.position, state_.particles.radius, old.outline, old.axis, state_.dimension,
-                                     state_.thickness, old.volume);
+  state_.specimen = measure_specimen(state_.particles.position, state_.particles.radius, old.outline, old.axis,
+                                     state_.dimension, state_.thickness, old.volume);
   loading_started_ = true;
 }
 
 void Simulation::protect_bond(Index bond) {
   if (!law_.respects_protection())
-    throw UserError("this test protects some bonds from breaking, and the contact law does not support that: protect no bonds, or "
-                    "use a law that has `respects_protection`");
+    throw UserError(
+        "this test protects some bonds from breaking, and the contact law does not support that: protect no bonds, or "
+        "use a law that has `respects_protection`");
   Bonds& b = state_.bonds;
   BRECCIA_ASSERT(bond < b.size() && rebuilds_ == 0);
   b.guarded.resize(b.size(), 0);
@@ -252,7 +269,9 @@ std::size_t Simulation::add_wall(const WallSpec& w) {
   return state_.walls.size() - 1;
 }
 
-void Simulation::set_wall_velocity(std::size_t wall, const Vec3& velocity) { state_.walls.at(wall).velocity = velocity; }
+void Simulation::set_wall_velocity(std::size_t wall, const Vec3& velocity) {
+  state_.walls.at(wall).velocity = velocity;
+}
 
 void Simulation::hold(Index a, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity) {
   Particles& p = state_.particles;
@@ -293,7 +312,9 @@ SimulationView Simulation::view() {
   const Bonds& b = s.bonds;
   v.bonds = {b.i, b.j, b.initial_distance, b.state, b.break_time, b.break_position, b.break_normal, b.pair};
   wall_views_.clear();
-  for (const Wall& w : s.walls) wall_views_.push_back({w.name, w.point, w.normal, w.velocity, w.displacement, w.force, w.normal_force, w.cylinder_radius, 0});
+  for (const Wall& w : s.walls)
+    wall_views_.push_back(
+        {w.name, w.point, w.normal, w.velocity, w.displacement, w.force, w.normal_force, w.cylinder_radius, 0});
   wall_contacts_.clear();
   for (const WallTouch& t : s.wall_touches) {
     if (t.overlap <= 0) continue;

@@ -14,8 +14,8 @@ namespace breccia {
 
 struct EngineSettings {
   Damping damping;
-  double safety = 0.8;             ///< share of the critical time step
-  double skin = 0.3;               ///< of the neighbour list, in mean radii
+  double safety = 0.8;  ///< share of the critical time step
+  double skin = 0.3;    ///< of the neighbour list, in mean radii
   int threads = 1;
 };
 
@@ -34,12 +34,12 @@ class Simulation final : public LoadControl {
   void forces(bool to_be_viewed = true);
   void advance();
 
-  SimulationView view();              ///< valid until the next call that changes anything
+  SimulationView view();  ///< valid until the next call that changes anything
   const State& state() const { return state_; }
   std::uint64_t rebuilds() const { return rebuilds_; }
   double critical_step() const { return critical_; }
   bool loading_started() const { return loading_started_; }
-  double porosity() const;            ///< 1 - sum of particle volumes / specimen volume
+  double porosity() const;  ///< 1 - sum of particle volumes / specimen volume
 
   std::size_t add_wall(const WallSpec& spec) override;
   void set_wall_velocity(std::size_t wall, const Vec3& velocity) override;

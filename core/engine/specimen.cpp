@@ -20,7 +20,10 @@ SpecimenShape measure_specimen(std::span<const Vec3> position, std::span<const d
     bottom = std::min(bottom, along - radius[k]);
     top = std::max(top, along + radius[k]);
   }
-  if (dimension == 2) { low.z() = -0.5 * thickness; high.z() = 0.5 * thickness; }
+  if (dimension == 2) {
+    low.z() = -0.5 * thickness;
+    high.z() = 0.5 * thickness;
+  }
   s.extent = high - low;
   s.height = top - bottom;
   const Vec3 middle = 0.5 * (low + high);

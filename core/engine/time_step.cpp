@@ -94,7 +94,8 @@ class Restraints {
     }
     for (Index t = touch_start_[a]; t < touch_start_[a + 1]; ++t) {
       const Wall& w = s_.walls[s_.wall_touches[touch_[t]].wall];
-      add_contact(r.stiffness, -facing(w, p.position[a]).normal, p.radius[a], {w.normal_stiffness, w.friction > 0 ? w.shear_stiffness : 0, 0, 0});
+      add_contact(r.stiffness, -facing(w, p.position[a]).normal, p.radius[a],
+                  {w.normal_stiffness, w.friction > 0 ? w.shear_stiffness : 0, 0, 0});
     }
     Vec6 scale;
     const double m = 1 / std::sqrt(p.mass[a]), turn = 1 / std::sqrt(p.inertia[a]);
@@ -117,7 +118,8 @@ class Restraints {
 
 }  // namespace
 
-double critical_time_step(State& s, ContactLaw& law, const Incidence& incidence, const std::vector<Index>& particles, int threads) {
+double critical_time_step(State& s, ContactLaw& law, const Incidence& incidence, const std::vector<Index>& particles,
+                          int threads) {
   if (particles.empty()) return infinity;
   const Restraints restraints(s, law, incidence);
   double least = infinity;

@@ -19,7 +19,7 @@ namespace breccia {
 /// most twice those of its two ends moving alone: 2 K and 2 C of single particles bound those of the whole system.
 ///
 /// Looks at the given particles only; infinite when none of them is held by anything stiff.
-double critical_time_step(State& state, ContactLaw& law, const Incidence& incidence, const std::vector<Index>& particles,
-                          int threads);
+double critical_time_step(State& state, ContactLaw& law, const Incidence& incidence,
+                          const std::vector<Index>& particles, int threads);
 
 }  // namespace breccia

@@ -45,7 +45,10 @@ void wall_forces(State& s, std::vector<Vec3>& force, std::vector<Vec3>& torque) 
     const Facing f = facing(w, p.position[t.particle]);
     t.overlap = r - f.distance;
     t.force.setZero();
-    if (t.overlap <= 0) { t.spring.setZero(); continue; }
+    if (t.overlap <= 0) {
+      t.spring.setZero();
+      continue;
+    }
     const double pressed = w.normal_stiffness * t.overlap;
     const Vec3 arm = -(r - t.overlap) * f.normal;  // from the centre to the contact point
     if (w.friction > 0) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Rigid walls, planes and cylinders: a linear penalty spring, and a Coulomb-limited tangential spring when the wall has friction.
+/// Rigid walls, planes and cylinders: a linear penalty spring, and a Coulomb-limited tangential spring when the wall
+/// has friction.
 #pragma once
 
 #include "model/state.hpp"
@@ -8,8 +9,8 @@ namespace breccia {
 
 /// A wall as a particle sees it.
 struct Facing {
-  double distance;   ///< of the particle's centre from the wall's surface [m]
-  Vec3 normal;       ///< from the surface to the particle
+  double distance;  ///< of the particle's centre from the wall's surface [m]
+  Vec3 normal;      ///< from the surface to the particle
 };
 Facing facing(const Wall& wall, const Vec3& position);
 
@@ -20,7 +21,8 @@ void rebuild_wall_touches(State& state, double reach);
 /// force), and the particles' force on each wall. Adds this step's work of the walls and their friction to the ledger.
 void wall_forces(State& state, std::vector<Vec3>& force, std::vector<Vec3>& torque);
 
-/// Work of the walls in the half of the present step that lies ahead of the positions; `wall_forces` has counted it [J].
+/// Work of the walls in the half of the present step that lies ahead of the positions; `wall_forces` has counted it
+/// [J].
 double wall_work_ahead(const State& state);
 
 void move_walls(State& state);

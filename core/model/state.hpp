@@ -15,25 +15,25 @@ namespace breccia {
 /// One row per particle, in spatial (Morton) order. Velocities belong to the middle of the last step.
 struct Particles {
   std::vector<Vec3> position, velocity, angular_velocity;  // [m], [m/s], [rad/s]
-  std::vector<Vec3> force, torque;                         ///< undamped resultants of the last force evaluation [N], [N m]
-  std::vector<Vec3> reference_position;                    ///< at the start of loading [m]
-  std::vector<Vec3> applied_force;                         ///< by the protocol [N]
-  std::vector<Mat3> applied_moment;                        ///< (point - centre) (x) force [N m]; empty until there is one
-  std::vector<double> radius, mass, inertia;               // [m], [kg], [kg m2]
-  std::vector<std::uint8_t> held;                          ///< bits of `dof`
-  std::vector<Index> id;                                   ///< row in the packing
+  std::vector<Vec3> force, torque;            ///< undamped resultants of the last force evaluation [N], [N m]
+  std::vector<Vec3> reference_position;       ///< at the start of loading [m]
+  std::vector<Vec3> applied_force;            ///< by the protocol [N]
+  std::vector<Mat3> applied_moment;           ///< (point - centre) (x) force [N m]; empty until there is one
+  std::vector<double> radius, mass, inertia;  // [m], [kg], [kg m2]
+  std::vector<std::uint8_t> held;             ///< bits of `dof`
+  std::vector<Index> id;                      ///< row in the packing
   std::size_t size() const { return radius.size(); }
 };
 
 /// Pairs that the force loop visits, sorted by (i, j) with i < j.
 struct Pairs {
   std::vector<Index> i, j;
-  std::vector<Index> bond;              ///< row in Bonds or PairsView::no_bond
-  std::vector<double> rest_length;      // [m]
+  std::vector<Index> bond;          ///< row in Bonds or PairsView::no_bond
+  std::vector<double> rest_length;  // [m]
   std::vector<BondState> state;
   std::vector<std::vector<double>> columns;  ///< the law's history
   std::vector<PairForce> force;
-  std::vector<Vec3> moment;             ///< empty unless the law has moments
+  std::vector<Vec3> moment;  ///< empty unless the law has moments
   std::size_t size() const { return i.size(); }
 };
 
@@ -42,44 +42,45 @@ struct Bonds {
   std::vector<Index> i, j, pair;
   std::vector<double> initial_distance, break_time;  // [m], [s]
   std::vector<BondState> state;
-  std::vector<std::uint8_t> guarded;    ///< 1: must not break; empty when there are none
+  std::vector<std::uint8_t> guarded;  ///< 1: must not break; empty when there are none
   std::vector<Vec3> break_position, break_normal;
   std::size_t size() const { return i.size(); }
 };
 
-/// A rigid plane, or the inside of a rigid cylinder about the line through `point` along `normal`; moved by the protocol.
+/// A rigid plane, or the inside of a rigid cylinder about the line through `point` along `normal`; moved by the
+/// protocol.
 struct Wall {
   std::string name;
   Vec3 point, normal, velocity, previous_velocity, displacement, force;
   double normal_stiffness, shear_stiffness, friction;
-  double cylinder_radius = 0;   ///< 0: a plane [m]
-  double normal_force = 0;      ///< sum over the particles that press on it [N]
+  double cylinder_radius = 0;  ///< 0: a plane [m]
+  double normal_force = 0;     ///< sum over the particles that press on it [N]
 };
 
 /// A particle near a wall, with the spring of its friction.
 struct WallTouch {
   Index particle, wall;
-  Vec3 spring = Vec3::Zero();   // [m]
-  Vec3 force = Vec3::Zero();    ///< on the particle [N]
-  double overlap = 0;           ///< positive when pressed [m]
+  Vec3 spring = Vec3::Zero();  // [m]
+  Vec3 force = Vec3::Zero();   ///< on the particle [N]
+  double overlap = 0;          ///< positive when pressed [m]
 };
 
 /// Sums of the ledger that cannot be computed from the present state.
 struct EnergySums {
   double boundary_work = 0, friction = 0, damping = 0, contact = 0, fracture = 0;  // [J]
-  double initial = 0;           ///< elastic + kinetic at the start of loading [J]
+  double initial = 0;  ///< elastic + kinetic at the start of loading [J]
 };
 
 struct State {
   int dimension = 3;
-  double thickness = 1;         // [m]
+  double thickness = 1;            // [m]
   double time = 0, time_step = 0;  // [s]
   std::uint64_t step = 0;
   Particles particles;
   Pairs pairs;
   Bonds bonds;
   std::vector<Wall> walls;
-  std::vector<WallTouch> wall_touches;   ///< sorted by (wall, particle)
+  std::vector<WallTouch> wall_touches;  ///< sorted by (wall, particle)
   std::vector<Vec3> positions_at_rebuild;
   double moved_bound = 0, walls_moved = 0;  ///< since the pair list was made [m]
   EnergySums energy;

@@ -25,7 +25,7 @@ class CurveTable final : public Recorder, public Curves {
   void open(const std::filesystem::path& path);
   /// Ends the current row and writes it; columns that nobody set are NaN (empty in the file).
   void end_row();
-  void close();   ///< the file takes its final name
+  void close();  ///< the file takes its final name
 
  private:
   std::vector<Column> columns_;

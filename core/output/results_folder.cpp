@@ -15,10 +15,12 @@ bool holds_results(const fs::path& folder, bool overwrite) {
   if (!fs::is_directory(folder)) throw UserError("cannot write results to " + folder.string() + ": it is a file");
   if (fs::is_empty(folder)) return false;
   if (!overwrite)
-    throw UserError("the folder " + folder.string() + " already holds files; nothing was changed. "
+    throw UserError("the folder " + folder.string() +
+                    " already holds files; nothing was changed. "
                     "Choose another with --output, or allow its results to be replaced with --overwrite");
   if (!fs::exists(folder / "resolved.yaml") && !fs::exists(folder / "run.log"))
-    throw UserError("the folder " + folder.string() + " does not look like the results of a run (no resolved.yaml, no run.log): "
+    throw UserError("the folder " + folder.string() +
+                    " does not look like the results of a run (no resolved.yaml, no run.log): "
                     "not replaced. Choose another with --output");
   return true;
 }

@@ -14,7 +14,8 @@ namespace breccia {
 void SummaryTable::set(const std::string& key, Json value, const std::string& owner) {
   const auto [it, is_new] = owner_.emplace(key, owner);
   if (!is_new)
-    throw UserError("`" + it->second + "` and `" + owner + "` both report " + key + " in the summary: keep one of them in the workflow");
+    throw UserError("`" + it->second + "` and `" + owner + "` both report " + key +
+                    " in the summary: keep one of them in the workflow");
   json_[key] = std::move(value);
 }
 
@@ -22,7 +23,8 @@ void SummaryTable::add(Table table, const std::string& owner) {
   BRECCIA_ASSERT(table.columns.size() == table.values.size());
   for (const auto& column : table.values) BRECCIA_ASSERT(column.size() == table.values[0].size());
   if (std::any_of(tables_.begin(), tables_.end(), [&](const Table& t) { return t.name == table.name; }))
-    throw UserError("`" + owner + "` writes the table " + table.name + ", which is there already: keep one of the two "
+    throw UserError("`" + owner + "` writes the table " + table.name +
+                    ", which is there already: keep one of the two "
                     "in the workflow");
   tables_.push_back(std::move(table));
 }

@@ -28,7 +28,7 @@ class SummaryTable {
 
   /// UserError when two owners set one key: the workflow then lists two plugins for the same thing.
   void set(const std::string& key, Json value, const std::string& owner = "breccia");
-  void add(Table table, const std::string& owner);   ///< the same for two tables of one name
+  void add(Table table, const std::string& owner);  ///< the same for two tables of one name
   const Json& json() const { return json_; }
   /// summary.json, and tables/<name>.csv for each table, in this folder.
   void write(const std::filesystem::path& folder) const;

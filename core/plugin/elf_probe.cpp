@@ -30,7 +30,8 @@ constexpr std::uint32_t relocation_relative = R_AARCH64_RELATIVE, relocation_sym
 }
 
 /// `T`s copied out of the file, which need not be aligned.
-template <class T> std::vector<T> copy_table(std::span<const std::byte> bytes) {
+template <class T>
+std::vector<T> copy_table(std::span<const std::byte> bytes) {
   std::vector<T> out(bytes.size() / sizeof(T));
   if (!out.empty()) std::memcpy(out.data(), bytes.data(), out.size() * sizeof(T));
   return out;

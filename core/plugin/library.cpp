@@ -47,7 +47,8 @@ const BrecciaPluginDescriptor& load(const std::filesystem::path& file) {
 
 }  // namespace
 
-template <class F> decltype(auto) PluginLibrary::call(const char* doing, F&& f) const {
+template <class F>
+decltype(auto) PluginLibrary::call(const char* doing, F&& f) const {
   const auto failed = [&](const char* why) {
     return UserError(fmt::format("{} `{}` failed while {}: {} (plugin {})", info_.key.kind, info_.key.name, doing, why,
                                  info_.file.string()));
@@ -56,13 +57,9 @@ template <class F> decltype(auto) PluginLibrary::call(const char* doing, F&& f) 
     return f();
   } catch (const UserError& e) {  // already written for the user
     throw UserError(fmt::format("{} `{}`: {}", info_.key.kind, info_.key.name, e.what()));
-  } catch (const Unavailable&) {
+  } catch (const Unavailable&) { throw; } catch (const Cancelled&) {
     throw;
-  } catch (const Cancelled&) {
-    throw;
-  } catch (const std::exception& e) {
-    throw failed(e.what());
-  } catch (...) {
+  } catch (const std::exception& e) { throw failed(e.what()); } catch (...) {
     throw failed("it threw something that is not an exception");
   }
 }
@@ -90,14 +87,18 @@ Issues PluginLibrary::check(const Json& config) const {
 std::unique_ptr<Plugin> PluginLibrary::create(const Json& config) const {
   auto plugin = call("being set up", [&] { return factory_->create(config); });
   if (!plugin)
-    throw UserError(fmt::format("{} `{}` made nothing when it was set up (plugin {}): a fault of the plugin, tell its "
-                                "author", info_.key.kind, info_.key.name, info_.file.string()));
+    throw UserError(
+        fmt::format("{} `{}` made nothing when it was set up (plugin {}): a fault of the plugin, tell its "
+                    "author",
+                    info_.key.kind, info_.key.name, info_.file.string()));
   return plugin;
 }
 
 void PluginLibrary::refuse_class() const {
-  throw UserError(fmt::format("{} `{}` does not behave as a {} (plugin {}): its last line names the wrong kind, tell "
-                              "its author", info_.key.kind, info_.key.name, info_.key.kind, info_.file.string()));
+  throw UserError(
+      fmt::format("{} `{}` does not behave as a {} (plugin {}): its last line names the wrong kind, tell "
+                  "its author",
+                  info_.key.kind, info_.key.name, info_.key.kind, info_.file.string()));
 }
 
 }  // namespace breccia

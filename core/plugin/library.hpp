@@ -24,7 +24,8 @@ class PluginLibrary {
   [[noreturn]] void refuse_class() const;
 
  private:
-  template <class F> decltype(auto) call(const char* doing, F&& f) const;
+  template <class F>
+  decltype(auto) call(const char* doing, F&& f) const;
 
   PluginInfo info_;
   const Factory* factory_ = nullptr;

@@ -61,8 +61,10 @@ BrecciaPluginDescriptor read_descriptor(const ElfProbe& elf, const ElfProbe::Sym
   constexpr std::size_t head = offsetof(BrecciaPluginDescriptor, compiler);  // never changes place
   const auto begin = elf.constant(symbol.address, head);
   if (begin.empty() || std::memcmp(begin.data(), "BRECCIA", sizeof d.magic) != 0)
-    throw UserError(fmt::format("plugin {} has a `breccia_plugin` that is not a Breccia descriptor: declare the "
-                                "plugin with BRECCIA_PLUGIN or BRECCIA_CONTACT_LAW", file));
+    throw UserError(
+        fmt::format("plugin {} has a `breccia_plugin` that is not a Breccia descriptor: declare the "
+                    "plugin with BRECCIA_PLUGIN or BRECCIA_CONTACT_LAW",
+                    file));
   std::memcpy(&d, begin.data(), head);
   agree(file, "SDK ABI", std::to_string(d.sdk_abi), std::to_string(BRECCIA_SDK_ABI));
   agree(file, "a descriptor of", fmt::format("{} bytes", d.descriptor_size), fmt::format("{} bytes", sizeof d));
@@ -100,8 +102,10 @@ PluginInfo inspect_plugin(const fs::path& path) {
   const ElfProbe elf(bytes, file);
   const auto symbol = elf.exported_object("breccia_plugin");
   if (!symbol)
-    throw UserError(fmt::format("{} is not a Breccia plugin: it does not export `breccia_plugin`; end its source with "
-                                "BRECCIA_PLUGIN or BRECCIA_CONTACT_LAW", file));
+    throw UserError(
+        fmt::format("{} is not a Breccia plugin: it does not export `breccia_plugin`; end its source with "
+                    "BRECCIA_PLUGIN or BRECCIA_CONTACT_LAW",
+                    file));
   const BrecciaPluginDescriptor d = read_descriptor(elf, *symbol, file);
   const auto text = [&](std::size_t offset) { return elf.text(symbol->address + offset).value_or(""); };
   const auto in_ticks = [&](std::size_t offset) { return fmt::format("`{}`", text(offset)); };
@@ -124,8 +128,10 @@ PluginInfo inspect_plugin(const fs::path& path) {
                                 key.kind, fmt::join(kinds, ", ")));
   if (key.name.empty()) throw UserError(fmt::format("plugin {} has no name in its descriptor", file));
   if (elf.pointer(symbol->address + offsetof(BrecciaPluginDescriptor, factory)) == 0)
-    throw UserError(fmt::format("plugin {} has no factory in its descriptor: declare the plugin with BRECCIA_PLUGIN or "
-                                "BRECCIA_CONTACT_LAW", file));
+    throw UserError(
+        fmt::format("plugin {} has no factory in its descriptor: declare the plugin with BRECCIA_PLUGIN or "
+                    "BRECCIA_CONTACT_LAW",
+                    file));
   return {key, text(offsetof(BrecciaPluginDescriptor, version)), path, sha256(bytes)};
 }
 

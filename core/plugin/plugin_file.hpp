@@ -16,9 +16,9 @@ struct PluginKey {
 
 struct PluginInfo {
   PluginKey key;
-  std::string version;         ///< the author's; shown, never compared
+  std::string version;  ///< the author's; shown, never compared
   std::filesystem::path file;
-  std::string sha256;          ///< of the whole file, 64 hexadecimal digits
+  std::string sha256;  ///< of the whole file, 64 hexadecimal digits
 };
 
 /// The kinds that this program knows, in the order in which a workflow uses them.

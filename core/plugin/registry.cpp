@@ -58,8 +58,8 @@ void Registry::add(const fs::path& given) {
   const bool any = scan({path, ""}, true);
   searched_.insert(searched_.begin(), path);
   if (any) return;
-  std::string text = fmt::format("the folder {} holds no plugin: plugins are files named breccia_<kind>.<name>.so",
-                                 path.string());
+  std::string text =
+      fmt::format("the folder {} holds no plugin: plugins are files named breccia_<kind>.<name>.so", path.string());
   for (const fs::path& file : otherwise_named_)
     if (file.parent_path() == path)
       if (const auto problem = misnamed(file)) text += "; " + problem->text;
@@ -131,9 +131,7 @@ std::vector<PluginProblem> Registry::problems() const {
   for (const auto& [key, found] : found_) {
     try {
       load(key, found).documentation();
-    } catch (const std::exception& e) {
-      problems.push_back({found.file, e.what()});
-    }
+    } catch (const std::exception& e) { problems.push_back({found.file, e.what()}); }
   }
   for (const fs::path& file : otherwise_named_)
     if (auto problem = misnamed(file)) problems.push_back(std::move(*problem));
@@ -172,8 +170,8 @@ std::optional<PluginProblem> Registry::misnamed(const fs::path& file) const {
     if (used != found_.end() && identity(used->second.file) == identity(file)) return std::nullopt;
     return PluginProblem{
         file, fmt::format("plugin {} holds {} `{}`, which is not found under this file name: name it {}, or name the "
-                          "file itself under `plugins:`", file.string(), info.key.kind, info.key.name,
-                          plugin_file_name(info.key))};
+                          "file itself under `plugins:`",
+                          file.string(), info.key.kind, info.key.name, plugin_file_name(info.key))};
   } catch (const UserError&) {
     return std::nullopt;  // some other library: none of our business
   }

@@ -19,7 +19,7 @@ namespace breccia {
 /// A file that looks like a plugin and is of no use, and why.
 struct PluginProblem {
   std::filesystem::path file;
-  std::string text;   ///< whole sentences, with the file's name
+  std::string text;  ///< whole sentences, with the file's name
 };
 
 class Registry final : public PluginDirectory {
@@ -38,7 +38,8 @@ class Registry final : public PluginDirectory {
   const PluginInfo& info(const std::string& kind, const std::string& name) const;
 
   /// Makes the plugin that the workflow picked; `choice.config` satisfies its documentation.
-  template <class P> std::unique_ptr<P> create(const PluginChoice& choice) const {
+  template <class P>
+  std::unique_ptr<P> create(const PluginChoice& choice) const {
     const PluginLibrary& from = library(P::kind, choice.type);
     std::unique_ptr<Plugin> plugin = from.create(choice.config);
     P* const typed = dynamic_cast<P*>(plugin.get());

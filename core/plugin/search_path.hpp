@@ -10,7 +10,7 @@ namespace breccia {
 
 struct PluginFolder {
   std::filesystem::path path;
-  std::string named_by;   ///< who asked for it: its absence is worth a warning; empty for a conventional place
+  std::string named_by;  ///< who asked for it: its absence is worth a warning; empty for a conventional place
 };
 
 /// The folders of BRECCIA_PLUGIN_PATH (separated by colons), then `../lib/breccia` and `plugins` beside the program

@@ -36,7 +36,8 @@ Json read_summary(const fs::path& folder) {
   return summary;
 }
 
-template <class Name> void rename_repeated(std::vector<std::string>& labels, Name&& name) {
+template <class Name>
+void rename_repeated(std::vector<std::string>& labels, Name&& name) {
   const std::vector<std::string> before = labels;
   for (std::size_t k = 0; k < labels.size(); ++k)
     if (std::count(before.begin(), before.end(), before[k]) > 1) labels[k] = name(k);
@@ -45,9 +46,8 @@ template <class Name> void rename_repeated(std::vector<std::string>& labels, Nam
 std::vector<std::string> folder_labels(const std::vector<fs::path>& folders) {
   std::vector<std::string> labels;
   for (const fs::path& f : folders) labels.push_back(plain(f).filename().string());
-  rename_repeated(labels, [&](std::size_t k) {
-    return plain(folders[k]).parent_path().filename().string() + "/" + labels[k];
-  });
+  rename_repeated(labels,
+                  [&](std::size_t k) { return plain(folders[k]).parent_path().filename().string() + "/" + labels[k]; });
   return labels;
 }
 
@@ -66,21 +66,25 @@ void check_folder(const std::vector<ComparedRun>& runs, const ComparisonOptions&
   const fs::path& folder = options.folder;
   for (const ComparedRun& run : runs)
     if (plain(run.folder) == plain(folder))
-      throw UserError("the comparison cannot go to " + folder.string() + ", which is one of the runs: choose another folder "
+      throw UserError("the comparison cannot go to " + folder.string() +
+                      ", which is one of the runs: choose another folder "
                       "with --output");
   if (!fs::exists(folder)) return;
-  if (!fs::is_directory(folder)) throw UserError("cannot write the comparison to " + folder.string() + ": it is a file");
+  if (!fs::is_directory(folder))
+    throw UserError("cannot write the comparison to " + folder.string() + ": it is a file");
   if (fs::is_empty(folder)) return;
   if (!options.overwrite)
-    throw UserError("the folder " + folder.string() + " already holds files; nothing was changed. Choose another with "
+    throw UserError("the folder " + folder.string() +
+                    " already holds files; nothing was changed. Choose another with "
                     "--output, or allow files of the same names to be replaced with --overwrite");
   if (fs::exists(folder / "summary.json") || fs::exists(folder / "resolved.yaml"))
-    throw UserError("the folder " + folder.string() + " holds the results of a run, whose pictures would be replaced: "
+    throw UserError("the folder " + folder.string() +
+                    " holds the results of a run, whose pictures would be replaced: "
                     "choose another with --output");
 }
 
-std::vector<fs::path> draw(const std::vector<ComparedRun>& runs, const ComparisonOptions& options, const Registry& registry,
-                           Host& host) {
+std::vector<fs::path> draw(const std::vector<ComparedRun>& runs, const ComparisonOptions& options,
+                           const Registry& registry, Host& host) {
   if (!options.renderer) return {};
   ComparisonRequest request{{}, options.folder};
   for (const ComparedRun& run : runs) request.runs.push_back({run.folder, run.label});
@@ -116,7 +120,8 @@ std::vector<fs::path> compare_runs(const std::vector<ComparedRun>& runs, const C
                                    const Registry& registry, Host& host) {
   check_folder(runs, options);
   for (const ComparedRun& run : runs)
-    if (run.interrupted) host.warn("the run `" + run.label + "` was stopped before its end: its last values are not final");
+    if (run.interrupted)
+      host.warn("the run `" + run.label + "` was stopped before its end: its last values are not final");
   std::error_code error;
   const bool is_new = fs::create_directories(options.folder, error);
   if (error) throw UserError("cannot make the folder " + options.folder.string() + ": " + error.message());

@@ -44,7 +44,8 @@ Json reference_of(const ComparedRun& run, const std::string& key) {
 
 bool has_references(const ComparedRun& run) {
   const Json reference = value_of(run.summary, "reference");
-  return reference.is_object() && std::any_of(reference.begin(), reference.end(), [](const Json& v) { return v.is_number(); });
+  return reference.is_object() &&
+         std::any_of(reference.begin(), reference.end(), [](const Json& v) { return v.is_number(); });
 }
 
 /// One row of the table: the quantity, with the prefix that suits the largest of its values.
@@ -96,8 +97,7 @@ std::vector<std::string> quantities(const std::vector<ComparedRun>& runs) {
   for (const ComparedRun& run : runs) {
     std::vector<std::string> own;
     for (const auto& [key, value] : run.summary.items())
-      if (!value.is_structured() && !is_bookkeeping(key))
-        own.push_back(key);
+      if (!value.is_structured() && !is_bookkeeping(key)) own.push_back(key);
     merge(keys, own);
   }
   return keys;
@@ -126,7 +126,8 @@ std::string comparison_csv(const std::vector<ComparedRun>& runs) {
   return text + "\n";
 }
 
-std::string comparison_markdown(const std::vector<ComparedRun>& runs, const std::vector<std::filesystem::path>& charts) {
+std::string comparison_markdown(const std::vector<ComparedRun>& runs,
+                                const std::vector<std::filesystem::path>& charts) {
   std::string header = "| |", rule = "|---|", rows;
   for (const ComparedRun& run : runs) {
     header.append(" ").append(markdown_cell(run.label)).append(has_references(run) ? " | reference |" : " |");
@@ -146,12 +147,14 @@ std::string comparison_markdown(const std::vector<ComparedRun>& runs, const std:
     text += "In brackets: how far the run lies above (+) or below (-) its reference. ";
   text += "All numbers in SI units: `comparison.csv`.\n\n";
   for (const ComparedRun& run : runs) {
-    text += "- **" + run.label + "**: `" + run.folder.string() + "`" + (run.interrupted ? ", stopped before its end" : "");
+    text +=
+        "- **" + run.label + "**: `" + run.folder.string() + "`" + (run.interrupted ? ", stopped before its end" : "");
     const Json source = reference_of(run, "source");
     text += (source.is_string() ? "; reference: " + source.get<std::string>() : "") + "\n";
   }
   for (const std::filesystem::path& chart : charts)
-    if (chart.extension() == ".png") text += "\n![" + chart.stem().string() + "](<" + chart.filename().string() + ">)\n";
+    if (chart.extension() == ".png")
+      text += "\n![" + chart.stem().string() + "](<" + chart.filename().string() + ">)\n";
   return text;
 }
 

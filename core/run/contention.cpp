@@ -14,7 +14,8 @@ long times_taken() {
 
 }  // namespace
 
-Contention::Contention(int threads) : since_(std::chrono::steady_clock::now()), taken_(times_taken()), watching_(threads > 1) {}
+Contention::Contention(int threads)
+    : since_(std::chrono::steady_clock::now()), taken_(times_taken()), watching_(threads > 1) {}
 
 bool Contention::noticed() {
   constexpr double window = 2, most = 100;  // [s], [1/s]: by themselves threads lose their cores a few times a second

@@ -6,8 +6,8 @@
 
 namespace breccia {
 
-/// Threads that meet at barriers wait while the core of one of them does something else: a run of two threads on two cores
-/// that others use too can take ten times as long as with one. The system counts how often it takes a core away.
+/// Threads that meet at barriers wait while the core of one of them does something else: a run of two threads on two
+/// cores that others use too can take ten times as long as with one. The system counts how often it takes a core away.
 class Contention {
  public:
   explicit Contention(int threads);

@@ -3,7 +3,8 @@
 
 namespace breccia {
 
-Frames::Frames(std::vector<std::unique_ptr<Output>> outputs, const std::vector<std::unique_ptr<Postprocessor>>& postprocessors)
+Frames::Frames(std::vector<std::unique_ptr<Output>> outputs,
+               const std::vector<std::unique_ptr<Postprocessor>>& postprocessors)
     : postprocessors_(postprocessors) {
   for (auto& o : outputs) outputs_.push_back({std::move(o)});
 }

@@ -12,7 +12,8 @@ namespace breccia {
 
 class Frames {
  public:
-  Frames(std::vector<std::unique_ptr<Output>> outputs, const std::vector<std::unique_ptr<Postprocessor>>& postprocessors);
+  Frames(std::vector<std::unique_ptr<Output>> outputs,
+         const std::vector<std::unique_ptr<Postprocessor>>& postprocessors);
   void begin(const std::filesystem::path& folder, Host& host);
   /// Writes the outputs whose time has come; all of them when `forced` (first and last state).
   void at(const SimulationView& view, bool forced);
@@ -21,8 +22,8 @@ class Frames {
  private:
   struct Scheduled {
     std::unique_ptr<Output> output;
-    double next = 0;          ///< [s]
-    double last = -1;         ///< time of the last frame [s]
+    double next = 0;   ///< [s]
+    double last = -1;  ///< time of the last frame [s]
   };
   std::vector<Scheduled> outputs_;
   const std::vector<std::unique_ptr<Postprocessor>>& postprocessors_;

@@ -38,7 +38,10 @@ Json to_json(const PackedParticles& p) {
   j["axis"] = {p.axis.x(), p.axis.y(), p.axis.z()};
   j["container_volume"] = p.container_volume;
   for (const AskedGot& line : p.report)
-    j["report"].push_back({{"name", line.name}, {"unit", line.unit}, {"asked", line.asked ? Json(*line.asked) : Json()}, {"got", line.got}});
+    j["report"].push_back({{"name", line.name},
+                           {"unit", line.unit},
+                           {"asked", line.asked ? Json(*line.asked) : Json()},
+                           {"got", line.got}});
   return j;
 }
 
@@ -95,8 +98,8 @@ void write_cached(const fs::path& file, const PackedParticles& p, Host& host) {
   }
 }
 
-/// Held while a packing is made, so that other processes which want the same wait and read it. Without locks in the file
-/// system each makes its own.
+/// Held while a packing is made, so that other processes which want the same wait and read it. Without locks in the
+/// file system each makes its own.
 class Turn {
  public:
   Turn(const fs::path& file, Host& host) : name_(file.string() + ".lock") {
@@ -119,7 +122,8 @@ class Turn {
   ~Turn() {
     if (lock_ < 0) return;
     std::error_code ignored;
-    fs::remove(name_, ignored);  // whoever opened it already gets it next; a newcomer makes another: at worst, twice the work
+    fs::remove(name_,
+               ignored);  // whoever opened it already gets it next; a newcomer makes another: at worst, twice the work
     close(lock_);
   }
 
@@ -140,10 +144,15 @@ fs::path default_cache_folder() {
 PackingOutcome obtain_packing(const Registry& registry, const PluginChoice& choice, const PackingRequest& request,
                               const fs::path& cache_folder, Host& host) {
   const auto packing = registry.create<Packing>(choice);
-  Json key = {{"plugin", registry.info(Packing::kind, choice.type).sha256}, {"type", choice.type}, {"config", choice.config},
-              {"seed", request.seed}, {"dimension", request.dimension}, {"thickness", request.thickness}};
+  Json key = {{"plugin", registry.info(Packing::kind, choice.type).sha256},
+              {"type", choice.type},
+              {"config", choice.config},
+              {"seed", request.seed},
+              {"dimension", request.dimension},
+              {"thickness", request.thickness}};
   for (const fs::path& input : packing->inputs()) key["inputs"].push_back(hash_text(file_content(input)));
-  const fs::path file = cache_folder.empty() ? fs::path() : cache_folder / "packings" / (hash_text(key.dump()) + ".cbor");
+  const fs::path file =
+      cache_folder.empty() ? fs::path() : cache_folder / "packings" / (hash_text(key.dump()) + ".cbor");
   PackingOutcome outcome;
   const auto look = [&] {
     if (file.empty()) return;

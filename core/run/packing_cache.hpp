@@ -15,7 +15,7 @@ std::filesystem::path default_cache_folder();
 struct PackingOutcome {
   PackedParticles particles;
   bool from_cache = false;
-  std::string hash;   ///< content hash of the particles (centres and radii)
+  std::string hash;  ///< content hash of the particles (centres and radii)
 };
 
 /// The packing that the workflow asks for. The cache key covers the plugin's file, its configuration, its input files,

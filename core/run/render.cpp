@@ -10,9 +10,7 @@ std::vector<std::filesystem::path> render_all(const std::vector<PluginChoice>& r
     try {
       const auto files = registry.create<Renderer>(choice)->render(request, host);
       made.insert(made.end(), files.begin(), files.end());
-    } catch (const Unavailable& e) {
-      host.warn("no pictures by renderer `" + choice.type + "`: " + e.what());
-    }
+    } catch (const Unavailable& e) { host.warn("no pictures by renderer `" + choice.type + "`: " + e.what()); }
   }
   return made;
 }

@@ -55,18 +55,21 @@ class Run {
 
   void build() {
     const int dimension = int(w_.dimension);
-    packing_ = obtain_packing(registry_, w_.packing, {dimension, w_.thickness, std::uint64_t(w_.seed)}, options_.packing_cache, monitor_);
+    packing_ = obtain_packing(registry_, w_.packing, {dimension, w_.thickness, std::uint64_t(w_.seed)},
+                              options_.packing_cache, monitor_);
     report_packing();
     EngineSettings settings;
     settings.damping = {w_.damping.translational, w_.damping.rotational};
     settings.safety = w_.engine.time_step_safety;
     settings.skin = w_.engine.skin;
     settings.threads = monitor_.threads();
-    simulation_ = std::make_unique<Simulation>(assemble(packing_.particles, {w_.material.density}, dimension, w_.thickness), *law_, settings);
+    simulation_ = std::make_unique<Simulation>(
+        assemble(packing_.particles, {w_.material.density}, dimension, w_.thickness), *law_, settings);
     bonding_ = simulation_->bond(w_.bonding.rule());
     const bool relative = bonding_.measure == GapMeasure::relative;
-    monitor_.info(fmt::format("{} bonds: coordination number {:.4f}, {}", simulation_->state().bonds.size(), bonding_.coordination_number,
-                              relative ? fmt::format("tolerance {:.4f}", bonding_.limit) : fmt::format("gap {:.4g} m", bonding_.limit)));
+    monitor_.info(fmt::format(
+        "{} bonds: coordination number {:.4f}, {}", simulation_->state().bonds.size(), bonding_.coordination_number,
+        relative ? fmt::format("tolerance {:.4f}", bonding_.limit) : fmt::format("gap {:.4g} m", bonding_.limit)));
     time_column_ = curves_.add({"time", "s", "since the first step"});
     const SimulationView view = simulation_->view();
     protocol_->setup(view, *simulation_, curves_, monitor_);
@@ -83,7 +86,8 @@ class Run {
                               packing_.from_cache ? " (kept from an earlier run)" : ""));
     for (const AskedGot& line : packing_.particles.report) {
       const std::string unit = line.unit == "1" ? "" : " " + line.unit;
-      monitor_.info(fmt::format("  {:<36} {:>14}   got {:.6g}{}", line.name, line.asked ? fmt::format("asked {:.6g}", *line.asked) : "", line.got, unit));
+      monitor_.info(fmt::format("  {:<36} {:>14}   got {:.6g}{}", line.name,
+                                line.asked ? fmt::format("asked {:.6g}", *line.asked) : "", line.got, unit));
     }
   }
 
@@ -102,8 +106,9 @@ class Run {
     for (const PluginChoice& c : w_.renderers) add("renderer", c.type);
     warn_of_changes(provenance);
     config_["provenance"] = provenance;
-    write_file(options_.folder / "resolved.yaml", "# The full input of this run, defaults included; run it again for the same result.\n" +
-                                                      write_yaml(config_, workflow_schema(), registry_));
+    write_file(options_.folder / "resolved.yaml",
+               "# The full input of this run, defaults included; run it again for the same result.\n" +
+                   write_yaml(config_, workflow_schema(), registry_));
   }
 
   void warn_of_changes(const Json& now) {
@@ -118,8 +123,9 @@ class Run {
 
   void loop() {
     Simulation& sim = *simulation_;
-    monitor_.info(fmt::format("time step {:.4g} s ({} of the critical), {} pairs, {} thread{}", sim.time_step(), w_.engine.time_step_safety,
-                              sim.state().pairs.size(), monitor_.threads(), monitor_.threads() == 1 ? "" : "s"));
+    monitor_.info(fmt::format("time step {:.4g} s ({} of the critical), {} pairs, {} thread{}", sim.time_step(),
+                              w_.engine.time_step_safety, sim.state().pairs.size(), monitor_.threads(),
+                              monitor_.threads() == 1 ? "" : "s"));
     Contention contention(monitor_.threads());
     for (;;) {
       auto start = Clock::now();
@@ -130,8 +136,10 @@ class Run {
       loop_seconds_ += seconds_since(start);
       if (sampled) {
         if (contention.noticed())
-          monitor_.warn("other programs use this run's cores too, and threads that wait for each other make it many times slower: "
-                        "stop it and start it with fewer --threads (the results do not depend on it)");
+          monitor_.warn(
+              "other programs use this run's cores too, and threads that wait for each other make it many times "
+              "slower: "
+              "stop it and start it with fewer --threads (the results do not depend on it)");
         const bool finished = sample() == Progress::finished;
         if (finished || cancelled) {
           interrupted_ = cancelled && !finished;
@@ -185,10 +193,12 @@ class Run {
     summary_.set("porosity", packing_porosity());
     summary_.set("coordination_number", bonding_.coordination_number);
     summary_.set(bonding_.measure == GapMeasure::relative ? "bond_tolerance" : "bond_gap_m", bonding_.limit);
-    summary_.set("ns_per_bond_step", view.step && bonds ? Json(1e9 * loop_seconds_ / double(view.step) / double(bonds)) : Json());
+    summary_.set("ns_per_bond_step",
+                 view.step && bonds ? Json(1e9 * loop_seconds_ / double(view.step) / double(bonds)) : Json());
     summary_.set("neighbour_list_rebuilds", sim.rebuilds());
     const Json derived = law_->derived();
-    for (const auto& [key, value] : derived.items()) SummaryTable::Section(summary_, w_.contact_law.type).own(key, value);
+    for (const auto& [key, value] : derived.items())
+      SummaryTable::Section(summary_, w_.contact_law.type).own(key, value);
     SummaryTable::Section protocol(summary_, w_.protocol.type);
     protocol_->finish(view, curves_, protocol);
     for (std::size_t k = 0; k < posts_.size(); ++k) {
@@ -238,7 +248,8 @@ class Run {
 
 }  // namespace
 
-RunOutcome run_workflow(const LoadedWorkflow& loaded, const Registry& registry, const RunOptions& options, RunMonitor& monitor) {
+RunOutcome run_workflow(const LoadedWorkflow& loaded, const Registry& registry, const RunOptions& options,
+                        RunMonitor& monitor) {
   return Run(loaded, registry, options, monitor)();
 }
 

@@ -11,9 +11,9 @@ namespace breccia {
 
 /// What the terminal shows while it runs.
 struct RunStatus {
-  double share_done = 0;          ///< estimate, 0 to 1
+  double share_done = 0;  ///< estimate, 0 to 1
   std::uint64_t step = 0;
-  double time = 0;                ///< [s]
+  double time = 0;  ///< [s]
   std::size_t bonds_broken = 0;
   std::string protocol_status;
 };
@@ -27,8 +27,8 @@ class RunMonitor : public Host {
 };
 
 struct RunOptions {
-  std::filesystem::path folder;          ///< exists and is empty
-  std::filesystem::path packing_cache;   ///< empty: packings are not kept
+  std::filesystem::path folder;         ///< exists and is empty
+  std::filesystem::path packing_cache;  ///< empty: packings are not kept
 };
 
 struct RunOutcome {
@@ -37,6 +37,7 @@ struct RunOutcome {
 };
 
 /// UserError for what the user can mend. Stops soon after `monitor.cancelled()`, with all files whole.
-RunOutcome run_workflow(const LoadedWorkflow& loaded, const Registry& registry, const RunOptions& options, RunMonitor& monitor);
+RunOutcome run_workflow(const LoadedWorkflow& loaded, const Registry& registry, const RunOptions& options,
+                        RunMonitor& monitor);
 
 }  // namespace breccia

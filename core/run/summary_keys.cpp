@@ -6,8 +6,13 @@
 namespace breccia {
 
 bool is_bookkeeping(const std::string& key) {
-  static constexpr const char* all[] = {
-      "threads", "steps", "time_step_s", "simulated_time_s", "wall_time_s", "ns_per_bond_step", "neighbour_list_rebuilds"};
+  static constexpr const char* all[] = {"threads",
+                                        "steps",
+                                        "time_step_s",
+                                        "simulated_time_s",
+                                        "wall_time_s",
+                                        "ns_per_bond_step",
+                                        "neighbour_list_rebuilds"};
   return std::find(std::begin(all), std::end(all), key) != std::end(all);
 }
 
@@ -19,7 +24,8 @@ std::pair<std::string, std::string> split_unit(const std::string& key) {
 
 std::string readable(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
-  for (const auto& [written, read] : {std::pair{"youngs modulus", "Young's modulus"}, {"poisson ratio", "Poisson's ratio"}})
+  for (const auto& [written, read] :
+       {std::pair{"youngs modulus", "Young's modulus"}, {"poisson ratio", "Poisson's ratio"}})
     if (name == written) return read;
   return name;
 }

@@ -24,14 +24,16 @@ std::string hash_text(const std::string& text) { return sha256(std::as_bytes(std
 /// The last part of a path, or all of it where another parameter ends in the same.
 std::string short_name(const std::vector<StudyParameter>& all, const std::string& path) {
   const auto last = [](const std::string& p) { return split_path(p).back().name; };
-  const auto alike = std::count_if(all.begin(), all.end(), [&](const StudyParameter& p) { return last(p.path) == last(path); });
+  const auto alike =
+      std::count_if(all.begin(), all.end(), [&](const StudyParameter& p) { return last(p.path) == last(path); });
   return alike == 1 ? last(path) : path;
 }
 
 std::string fit_for_a_name(const std::string& text) {
   std::string out;
   for (const char c : text) {
-    const bool plain = std::isalnum(static_cast<unsigned char>(c)) || std::string_view("._+-=").find(c) != std::string_view::npos;
+    const bool plain =
+        std::isalnum(static_cast<unsigned char>(c)) || std::string_view("._+-=").find(c) != std::string_view::npos;
     if (plain) out += c;
     else if (out.empty() || out.back() != '_') out += '_';
   }
@@ -122,8 +124,8 @@ void Sweep::name_cases() {
 const SweepCase& Sweep::find(const std::string& name) const {
   for (const SweepCase& c : cases_)
     if (std::to_string(c.number) == name || c.folder == name) return c;
-  throw UserError("the study has no case `" + name + "`: its cases are numbered from 1 to " + std::to_string(cases_.size()) +
-                  " (see --cases)");
+  throw UserError("the study has no case `" + name + "`: its cases are numbered from 1 to " +
+                  std::to_string(cases_.size()) + " (see --cases)");
 }
 
 ResolvedCase Sweep::resolve(const SweepCase& c) const {
@@ -204,7 +206,8 @@ SweepPlan plan(const Sweep& sweep) {
           problems.add(c, "`" + parameters[k].path + "` is in " + plan.input_units[k] + " in one case and in " +
                               resolved.units[k] + " in another: one column cannot hold both");
       const auto [same, is_new] = seen.emplace(std::pair(c.workflow, resolved.hash), c.number);
-      if (!is_new) problems.add(c, "case " + std::to_string(c.number) + " is the same as case " + std::to_string(same->second));
+      if (!is_new)
+        problems.add(c, "case " + std::to_string(c.number) + " is the same as case " + std::to_string(same->second));
       plan.cases.push_back({c, std::move(resolved.inputs), std::move(resolved.hash)});
     } catch (const ConfigError& e) { problems.add(c, e); } catch (const UserError& e) {
       problems.add(c, e.what());

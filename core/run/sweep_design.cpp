@@ -30,7 +30,8 @@ class Designer {
       const YamlNode& list = *entry.value;
       take(entry.key, entry.place, path);
       if (list.kind == YamlNode::Kind::sequence && list.items.empty()) report(list.place, path, "has no values");
-      if (list.kind == YamlNode::Kind::null) report(entry.place, path, "has no values; a list such as `[0.2, 0.4]` is needed");
+      if (list.kind == YamlNode::Kind::null)
+        report(entry.place, path, "has no values; a list such as `[0.2, 0.4]` is needed");
       if (list.kind == YamlNode::Kind::scalar)
         report(list.place, path, "must be a list of values, such as `[0.2, 0.4]`, not the value `" + list.text + "`");
       if (list.kind == YamlNode::Kind::mapping)
@@ -107,7 +108,9 @@ class Designer {
   }
 
  private:
-  void report(Place place, const std::string& path, std::string text) { findings_.push_back({place, path, std::move(text)}); }
+  void report(Place place, const std::string& path, std::string text) {
+    findings_.push_back({place, path, std::move(text)});
+  }
 
   void take(const std::string& parameter, Place place, const std::string& path) {
     if (std::find(taken_.begin(), taken_.end(), parameter) != taken_.end())
@@ -136,17 +139,20 @@ class Designer {
     const auto from = end(*node.find("from")->value, path + ".from"), to = end(to_node, path + ".to");
     if (!from || !to) return {};
     if (from->unit != to->unit) {
-      report(to_node.place, path + ".to", "must be in the unit of `from`, `" + range.from + "`, not `" + range.to + "`");
+      report(to_node.place, path + ".to",
+             "must be in the unit of `from`, `" + range.from + "`, not `" + range.to + "`");
       return {};
     }
     const bool log = range.scale == LatinScale::log;
     if (log && !(from->value > 0))
-      report(node.find("from")->value->place, path + ".from", "must be above 0 on a log scale, not `" + range.from + "`");
+      report(node.find("from")->value->place, path + ".from",
+             "must be above 0 on a log scale, not `" + range.from + "`");
     if (!(from->value < to->value))
       report(to_node.place, path + ".to", "must be above `from`, `" + range.from + "`, not `" + range.to + "`");
     if (!findings_.empty()) return {};
     const auto at = [&](double share) {
-      return log ? from->value * std::pow(to->value / from->value, share) : from->value + share * (to->value - from->value);
+      return log ? from->value * std::pow(to->value / from->value, share)
+                 : from->value + share * (to->value - from->value);
     };
     std::vector<std::string> texts;
     for (const double share : shares) {
@@ -155,7 +161,8 @@ class Designer {
       char buffer[32];
       std::snprintf(buffer, sizeof buffer, "%.6g", value);
       const double rounded = *to_double(*scan_decimal(buffer));
-      const bool inside = rounded >= at(stratum / double(shares.size())) && rounded <= at((stratum + 1) / double(shares.size()));
+      const bool inside =
+          rounded >= at(stratum / double(shares.size())) && rounded <= at((stratum + 1) / double(shares.size()));
       texts.push_back(format_number(inside ? rounded : value) + from->unit);
     }
     return texts;
@@ -171,14 +178,16 @@ std::string value_text(const YamlNode& value) {
   return value.kind == YamlNode::Kind::scalar ? value.text : plain_json(value).dump();
 }
 
-StudyDesign make_design(const YamlNode& study, const std::optional<LatinHypercube>& hypercube, std::vector<Finding>& findings) {
+StudyDesign make_design(const YamlNode& study, const std::optional<LatinHypercube>& hypercube,
+                        std::vector<Finding>& findings) {
   Designer designer(findings);
   std::vector<Part> parts;
   if (const YamlEntry* list = study.find("list")) parts.push_back(designer.list(*list->value));
   if (hypercube) parts.push_back(designer.latin(*study.find("latin_hypercube")->value, *hypercube));
   if (const YamlEntry* grid = study.find("grid")) parts.push_back(designer.grid(*grid->value));
   if (parts.empty())
-    findings.push_back({study.place, "", "there is nothing to vary; one of `grid`, `list` and `latin_hypercube` is needed"});
+    findings.push_back(
+        {study.place, "", "there is nothing to vary; one of `grid`, `list` and `latin_hypercube` is needed"});
   StudyDesign design;
   if (!findings.empty()) return design;
   double count = 1;

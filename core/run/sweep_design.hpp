@@ -39,7 +39,8 @@ struct StudyDesign {
   std::vector<StudyParameter> parameters;
   std::vector<StudyPoint> points;
 };
-StudyDesign make_design(const YamlNode& study, const std::optional<LatinHypercube>& latin, std::vector<Finding>& findings);
+StudyDesign make_design(const YamlNode& study, const std::optional<LatinHypercube>& latin,
+                        std::vector<Finding>& findings);
 
 /// A value as it was written, for names and listings.
 std::string value_text(const YamlNode& value);

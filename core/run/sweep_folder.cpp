@@ -102,8 +102,9 @@ void CaseFolder::write(const std::string& status, const std::string& error) {
 }
 
 Json about_case(const Sweep& sweep, const SweepCase& c, const ResolvedCase& resolved) {
-  Json about = {
-      {"study", sweep.study().study.name}, {"case", c.number}, {"workflow_file", sweep.study().workflow_files[c.workflow]}};
+  Json about = {{"study", sweep.study().study.name},
+                {"case", c.number},
+                {"workflow_file", sweep.study().workflow_files[c.workflow]}};
   if (sweep.has_workflows()) about["workflow"] = sweep.study().workflow_names[c.workflow];
   for (std::size_t k = 0; k < resolved.inputs.size(); ++k)
     about["inputs"][header_name({sweep.study().parameters[k].path, resolved.units[k], ""})] = resolved.inputs[k];

@@ -34,8 +34,8 @@ class CaseFolder {
   CaseFolder& operator=(const CaseFolder&) = delete;
   ~CaseFolder();
 
-  /// Removes what an earlier run left; from here on case.json says how the case stands (when the process is killed it goes on
-  /// saying `running`). UserError for a folder that holds anything but a case.
+  /// Removes what an earlier run left; from here on case.json says how the case stands (when the process is killed it
+  /// goes on saying `running`). UserError for a folder that holds anything but a case.
   void begin();
   void finished() { write("finished"); }
   void failed(const std::string& error) { write("failed", error); }

@@ -19,9 +19,9 @@ struct JobEnd {
   int signal = 0;  ///< that ended it; 0: none did
 };
 
-/// Runs the jobs in their order, at most `at_once` at a time, and tells of each as it ends. Once `cancelled`, those that
-/// run are asked to stop (SIGINT, once) and waited for, and no other begins. They are process groups of their own: Ctrl-C
-/// on the terminal reaches only this program.
+/// Runs the jobs in their order, at most `at_once` at a time, and tells of each as it ends. Once `cancelled`, those
+/// that run are asked to stop (SIGINT, once) and waited for, and no other begins. They are process groups of their own:
+/// Ctrl-C on the terminal reaches only this program.
 void run_jobs(const std::vector<SweepJob>& jobs, int at_once, const std::function<bool()>& cancelled,
               const std::function<void(std::size_t job, const JobEnd& end)>& ended);
 

@@ -9,7 +9,9 @@
 namespace breccia {
 
 void LatinRange::describe(Schema<LatinRange>& s) {
-  s.param("parameter", &LatinRange::parameter).example("contact_law.bond_modulus").doc("path of the parameter, as for `--set`");
+  s.param("parameter", &LatinRange::parameter)
+      .example("contact_law.bond_modulus")
+      .doc("path of the parameter, as for `--set`");
   s.param("from", &LatinRange::from).example("10 GPa").doc("least value");
   s.param("to", &LatinRange::to).example("40 GPa").doc("largest value, in the unit of `from`");
   s.param("scale", &LatinRange::scale)
@@ -20,8 +22,15 @@ void LatinRange::describe(Schema<LatinRange>& s) {
 }
 
 void LatinHypercube::describe(Schema<LatinHypercube>& s) {
-  s.param("samples", &LatinHypercube::samples).at_least(1).at_most(double(max_cases)).example("20").doc("number of points");
-  s.param("seed", &LatinHypercube::seed).at_least(0).fallback(1).doc("of the samples; has nothing to do with the workflow's");
+  s.param("samples", &LatinHypercube::samples)
+      .at_least(1)
+      .at_most(double(max_cases))
+      .example("20")
+      .doc("number of points");
+  s.param("seed", &LatinHypercube::seed)
+      .at_least(0)
+      .fallback(1)
+      .doc("of the samples; has nothing to do with the workflow's");
   s.param("ranges", &LatinHypercube::ranges).items(1, 1000).doc("the parameters and their ranges");
 }
 

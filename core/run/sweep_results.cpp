@@ -139,7 +139,8 @@ std::vector<std::string> SweepTable::warnings() const {
   std::vector<std::pair<std::string, std::string>> asked;  // where, and the dotted path
   for (const std::string& key : study.collect) asked.emplace_back("collect", key);
   const auto ask = [&](const std::string& where, const std::string& name) {
-    if (const StudyTerm term = sweep_.study().term(name); term.is == StudyTerm::Is::value) asked.emplace_back(where, term.key);
+    if (const StudyTerm term = sweep_.study().term(name); term.is == StudyTerm::Is::value)
+      asked.emplace_back(where, term.key);
   };
   for (const StudyRatio& d : study.derived)
     for (const std::string& name : {d.numerator, d.denominator}) ask("derived `" + d.name + "`", name);
@@ -158,7 +159,8 @@ std::vector<std::string> SweepTable::warnings() const {
   return texts;
 }
 
-StudyChart::Axis SweepTable::axis(const StudyTerm& term, const std::optional<std::string>& label, const std::string& name) const {
+StudyChart::Axis SweepTable::axis(const StudyTerm& term, const std::optional<std::string>& label,
+                                  const std::string& name) const {
   StudyChart::Axis axis;
   if (term.is == StudyTerm::Is::parameter) {
     axis = {readable(split_path(name).back().name), plan_.input_units[term.index]};
@@ -185,8 +187,8 @@ StudyChart SweepTable::chart(const StudyChartConfig& config) const {
       const StudyTerm by = study.term(*config.series);
       label = axis(by, {}, *config.series).title + " = " + value_text(*study.points[p][by.index].value);
     }
-    auto it =
-        std::find_if(chart.series.begin(), chart.series.end(), [&](const StudyChart::Series& s) { return s.label == label; });
+    auto it = std::find_if(chart.series.begin(), chart.series.end(),
+                           [&](const StudyChart::Series& s) { return s.label == label; });
     if (it == chart.series.end()) {
       it = chart.series.insert(chart.series.end(), {label, {}, {}, steady});
       points.emplace_back();
@@ -198,7 +200,8 @@ StudyChart SweepTable::chart(const StudyChartConfig& config) const {
   }
   if (drawn == 0) throw UserError("no case has both `" + config.x + "` and `" + config.y + "`");
   for (std::size_t s = 0; s < chart.series.size(); ++s) {
-    std::stable_sort(points[s].begin(), points[s].end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::stable_sort(points[s].begin(), points[s].end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
     for (std::size_t k = 0; k < points[s].size(); ++k) {
       // Several points at one x differ in what the chart does not show: a line through them would mean nothing.
       if (k > 0 && points[s][k].first == points[s][k - 1].first) chart.series[s].joined = false;

@@ -21,8 +21,8 @@ class SweepTable {
  public:
   SweepTable(const Sweep& sweep, const SweepPlan& plan, std::vector<CaseResult> results);
 
-  /// One row per case: its inputs, `status`, its values, derived values (the same for all cases of a point), and the first
-  /// line of its error.
+  /// One row per case: its inputs, `status`, its values, derived values (the same for all cases of a point), and the
+  /// first line of its error.
   std::string csv() const;
   /// Values that were asked for and that no finished case has.
   std::vector<std::string> warnings() const;
@@ -51,7 +51,7 @@ std::string state_text(CaseState state);
 /// Writes cases.csv, results.csv and the charts into the folder of the study; what cannot be drawn is a
 /// warning; without a renderer there are no charts. The files.
 std::vector<std::filesystem::path> write_results(const Sweep& sweep, const SweepPlan& plan, const SweepTable& table,
-                                                 const std::optional<PluginChoice>& renderer, const std::filesystem::path& folder,
-                                                 Host& host);
+                                                 const std::optional<PluginChoice>& renderer,
+                                                 const std::filesystem::path& folder, Host& host);
 
 }  // namespace breccia

@@ -25,12 +25,16 @@ void StudyRatio::describe(Schema<StudyRatio>& s) {
   s.param("denominator", &StudyRatio::denominator).example("tension.peak_stress_Pa").doc("the same");
 }
 
-std::string StudyChartConfig::file_name() const { return name.value_or(y + "_over_" + x + (series ? "_by_" + *series : "")); }
+std::string StudyChartConfig::file_name() const {
+  return name.value_or(y + "_over_" + x + (series ? "_by_" + *series : ""));
+}
 
 void StudyChartConfig::describe(Schema<StudyChartConfig>& s) {
   s.param("x", &StudyChartConfig::x)
       .example("contact_law.friction")
-      .doc("a parameter that varies, a value of the summary (with several workflows after the name of one) or a derived column");
+      .doc(
+          "a parameter that varies, a value of the summary (with several workflows after the name of one) or a derived "
+          "column");
   s.param("y", &StudyChartConfig::y).example("peak_stress_Pa").doc("the same");
   s.param("series", &StudyChartConfig::series)
       .example("contact_law.stiffness_ratio")
@@ -53,7 +57,8 @@ void Study::describe(Schema<Study>& s) {
   s.param("fixed", &Study::fixed)
       .fallback(Json::object())
       .doc(
-          "values for all cases, path to value: `damping.translational: 0.1`, `outputs: []`; paths as for `--set`, in every "
+          "values for all cases, path to value: `damping.translational: 0.1`, `outputs: []`; paths as for `--set`, in "
+          "every "
           "workflow");
   s.param("grid", &Study::grid)
       .fallback(Json::object())
@@ -63,13 +68,15 @@ void Study::describe(Schema<Study>& s) {
       .doc("path to values, all of one length: the first of each together, the second of each, and so on");
   s.param("latin_hypercube", &Study::latin_hypercube)
       .doc(
-          "points spread over ranges, each parameter's evenly. Of `grid`, `list` and this, several may be given: all their "
+          "points spread over ranges, each parameter's evenly. Of `grid`, `list` and this, several may be given: all "
+          "their "
           "combinations are run")
       .source("McKay, Beckman, Conover (1979), Technometrics 21, 239-245");
   s.param("collect", &Study::collect)
       .fallback(none)
       .doc(
-          "values of summary.json for results.csv, by their dotted paths; default: all numbers of its top level that tell of the "
+          "values of summary.json for results.csv, by their dotted paths; default: all numbers of its top level that "
+          "tell of the "
           "specimen");
   s.param("derived", &Study::derived).fallback(none).doc("quotients as further columns of results.csv");
   s.param("charts", &Study::charts).fallback(none).doc("charts of results.csv");
@@ -124,7 +131,8 @@ class Checker {
     const YamlEntry* section = tree_.find("fixed");
     if (!section) return;
     for (const YamlEntry& entry : section->value->entries) {
-      if (entry.value->kind == YamlNode::Kind::null) findings_.push_back({entry.place, "fixed." + entry.key, "has no value"});
+      if (entry.value->kind == YamlNode::Kind::null)
+        findings_.push_back({entry.place, "fixed." + entry.key, "has no value"});
       for (const StudyParameter& p : loaded_.parameters)
         if (p.path == entry.key)
           findings_.push_back({entry.place, "fixed." + entry.key, "also varies; it is either fixed or not"});
@@ -151,7 +159,8 @@ class Checker {
       check_term(*item.find("y")->value, path + ".y", true);
       if (const YamlEntry* series = item.find("series")) check_parameter(*series->value, path + ".series");
       const std::string name = loaded_.study.charts[k++].file_name();
-      if (!is_file_name(name)) report(item, path, "`" + name + "` cannot be a file name; give the chart another `name`");
+      if (!is_file_name(name))
+        report(item, path, "`" + name + "` cannot be a file name; give the chart another `name`");
       if (std::find(files.begin(), files.end(), name) != files.end())
         report(item, path, "a second chart named `" + name + "`; give one of them another `name`");
       files.push_back(name);
@@ -175,7 +184,8 @@ class Checker {
   }
 
   void check_new(const std::vector<std::string>& before, const YamlNode& name, const std::string& path) {
-    if (std::find(before.begin(), before.end(), name.text) != before.end()) report(name, path, "a second `" + name.text + "`");
+    if (std::find(before.begin(), before.end(), name.text) != before.end())
+      report(name, path, "a second `" + name.text + "`");
   }
 
   template <class Each>
@@ -201,7 +211,8 @@ class Checker {
     std::vector<std::string> names = parameter_names();
     if (with_derived)
       for (const StudyRatio& d : loaded_.study.derived) names.push_back(d.name);
-    if (std::find(names.begin(), names.end(), node.text) != names.end() || loaded_.workflow_names == std::vector<std::string>{""})
+    if (std::find(names.begin(), names.end(), node.text) != names.end() ||
+        loaded_.workflow_names == std::vector<std::string>{""})
       return;
     for (const std::string& w : loaded_.workflow_names)
       if (node.text.starts_with(w + ".") && node.text.size() > w.size() + 1) return;

@@ -61,7 +61,7 @@ struct LoadedStudy {
   std::vector<PlacedValue> fixed;
   std::vector<StudyParameter> parameters;  ///< those that vary
   std::vector<StudyPoint> points;          ///< each has a value of every parameter, in their order
-  std::vector<Problem> of_columns;         ///< what is wrong with columns and charts; `plan` tells it with what the cases have
+  std::vector<Problem> of_columns;  ///< what is wrong with columns and charts; `plan` tells it with what the cases have
 
   StudyTerm term(const std::string& name) const;  ///< of a name that was checked when the study was read
 };

@@ -23,15 +23,26 @@ void MaterialConfig::describe(Schema<MaterialConfig>& s) {
 }
 
 void BondingConfig::describe(Schema<BondingConfig>& s) {
-  s.param("tolerance", &BondingConfig::tolerance).above(-1).at_most(4).example("0.1")
+  s.param("tolerance", &BondingConfig::tolerance)
+      .above(-1)
+      .at_most(4)
+      .example("0.1")
       .doc("bonds are made between all pairs whose centres are within (1 + tolerance) times the sum of their radii");
-  s.param("gap", &BondingConfig::gap).unit("m").example("0.1 mm")
+  s.param("gap", &BondingConfig::gap)
+      .unit("m")
+      .example("0.1 mm")
       .doc("bonds are made between all pairs whose surfaces are at most this far apart; below zero: that much overlap");
-  s.param("coordination_number", &BondingConfig::coordination_number).above(0).at_most(60).example("11.89")
-      .doc("mean number of bonds per particle, 2 bonds/particles: the tolerance (or gap) that gives it is found and reported");
+  s.param("coordination_number", &BondingConfig::coordination_number)
+      .above(0)
+      .at_most(60)
+      .example("11.89")
+      .doc(
+          "mean number of bonds per particle, 2 bonds/particles: the tolerance (or gap) that gives it is found and "
+          "reported");
   s.param("nearest_by", &BondingConfig::nearest_by)
       .choice("relative_gap", GapMeasure::relative, "gap over the sum of the radii: large particles reach farther")
-      .choice("gap", GapMeasure::absolute, "distance of the surfaces: small particles get more bonds than by the relative gap")
+      .choice("gap", GapMeasure::absolute,
+              "distance of the surfaces: small particles get more bonds than by the relative gap")
       .fallback("relative_gap")
       .doc("with a coordination_number: by what the nearest pairs are chosen");
   s.exactly_one_of({"tolerance", "gap", "coordination_number"});
@@ -44,35 +55,58 @@ BondingRule BondingConfig::rule() const {
 }
 
 void DampingConfig::describe(Schema<DampingConfig>& s) {
-  s.param("translational", &DampingConfig::translational).at_least(0).below(1).fallback(0.0)
-      .doc("non-viscous damping: force -alpha |F| v/|v| on the undamped resultant F").source("Rojek et al. (2012), Eq. 5");
-  s.param("rotational", &DampingConfig::rotational).at_least(0).below(1).fallback(0.0)
-      .doc("the same for the torque").source("Rojek et al. (2012), Eq. 6");
+  s.param("translational", &DampingConfig::translational)
+      .at_least(0)
+      .below(1)
+      .fallback(0.0)
+      .doc("non-viscous damping: force -alpha |F| v/|v| on the undamped resultant F")
+      .source("Rojek et al. (2012), Eq. 5");
+  s.param("rotational", &DampingConfig::rotational)
+      .at_least(0)
+      .below(1)
+      .fallback(0.0)
+      .doc("the same for the torque")
+      .source("Rojek et al. (2012), Eq. 6");
 }
 
 void EngineConfig::describe(Schema<EngineConfig>& s) {
-  s.param("time_step_safety", &EngineConfig::time_step_safety).above(0).at_most(1).fallback(0.8)
+  s.param("time_step_safety", &EngineConfig::time_step_safety)
+      .above(0)
+      .at_most(1)
+      .fallback(0.8)
       .doc("time step as a share of the critical one, which comes from the particles' linearised stiffness");
-  s.param("skin", &EngineConfig::skin).above(0).at_most(2).fallback(0.3)
+  s.param("skin", &EngineConfig::skin)
+      .above(0)
+      .at_most(2)
+      .fallback(0.3)
       .doc("neighbours this far apart (in mean radii) are followed; larger: longer lists, rebuilt less often");
 }
 
 void SamplingConfig::describe(Schema<SamplingConfig>& s) {
-  s.param("every_steps", &SamplingConfig::every_steps).at_least(1).fallback(50).doc("time steps between two rows of curves.csv");
+  s.param("every_steps", &SamplingConfig::every_steps)
+      .at_least(1)
+      .fallback(50)
+      .doc("time steps between two rows of curves.csv");
 }
 
 void Workflow::describe(Schema<Workflow>& s) {
   const Json none = Json::array(), defaults = Json::object();
   s.summary("A bonded-particle simulation");
   s.param("base", &Workflow::base)
-      .doc("a workflow file to build on, relative to this one; it may have a base itself and need not be complete. Mappings "
-           "are merged key by key; values and lists given here replace those of the base whole, and so does a plugin's "
-           "section with another `type`. A parameter given here drops those of the base that exclude it (`tolerance`, "
-           "`coordination_number`). Relative paths start at the file in which they are written; anchors end with it");
+      .doc(
+          "a workflow file to build on, relative to this one; it may have a base itself and need not be complete. "
+          "Mappings "
+          "are merged key by key; values and lists given here replace those of the base whole, and so does a plugin's "
+          "section with another `type`. A parameter given here drops those of the base that exclude it (`tolerance`, "
+          "`coordination_number`). Relative paths start at the file in which they are written; anchors end with it");
   s.param("name", &Workflow::name).fallback("").doc("of the result folder; default: the name of the file");
   s.param("description", &Workflow::description).fallback("").doc("what it shows");
   s.param("seed", &Workflow::seed).at_least(0).fallback(1).doc("of all random numbers");
-  s.param("dimension", &Workflow::dimension).at_least(2).at_most(3).fallback(3).doc("2: discs that move in the plane z = 0; 3: spheres");
+  s.param("dimension", &Workflow::dimension)
+      .at_least(2)
+      .at_most(3)
+      .fallback(3)
+      .doc("2: discs that move in the plane z = 0; 3: spheres");
   s.param("thickness", &Workflow::thickness).unit("m").above(0).fallback(1.0).doc("of the discs, out of plane");
   s.param("plugins", &Workflow::plugins).fallback(none).doc("plugins from outside Breccia's own folder");
   s.param("packing", &Workflow::packing).kind("packing").doc("how the particles are arranged");
@@ -84,14 +118,26 @@ void Workflow::describe(Schema<Workflow>& s) {
   s.param("engine", &Workflow::engine).fallback(defaults).doc("numerical settings");
   s.param("sampling", &Workflow::sampling).fallback(defaults).doc("when curves are measured");
   s.param("postprocessors", &Workflow::postprocessors).kind("postprocessor").fallback(none).doc("what is measured");
-  s.param("outputs", &Workflow::outputs).kind("output").fallback(none).doc("files of the particles and bonds over time");
-  s.param("renderers", &Workflow::renderers).kind("renderer").fallback(none).doc("pictures, made from those files at the end");
-  s.param("reference", &Workflow::reference).fallback(defaults)
+  s.param("outputs", &Workflow::outputs)
+      .kind("output")
+      .fallback(none)
+      .doc("files of the particles and bonds over time");
+  s.param("renderers", &Workflow::renderers)
+      .kind("renderer")
+      .fallback(none)
+      .doc("pictures, made from those files at the end");
+  s.param("reference", &Workflow::reference)
+      .fallback(defaults)
       .doc("published values to compare with: summary key to value, or text; copied into summary.json");
-  s.param("variants", &Workflow::variants).fallback(defaults).example("{small: {packing: {particles: 1000}}}")
-      .doc("named changes of this workflow: `breccia run --variant small` lays those of `small` over it, as a file is laid over its base; "
-           "the name of the variant is added to that of the workflow");
-  s.param("provenance", &Workflow::provenance).fallback(defaults)
+  s.param("variants", &Workflow::variants)
+      .fallback(defaults)
+      .example("{small: {packing: {particles: 1000}}}")
+      .doc(
+          "named changes of this workflow: `breccia run --variant small` lays those of `small` over it, as a file is "
+          "laid over its base; "
+          "the name of the variant is added to that of the workflow");
+  s.param("provenance", &Workflow::provenance)
+      .fallback(defaults)
       .doc("written by Breccia into resolved.yaml: versions and content hashes of what made the result");
 }
 
@@ -109,7 +155,8 @@ namespace {
 /// What only making the plugins can tell.
 void try_plugins(const Workflow& w, const Registry& registry) {
   for (const fs::path& input : registry.create<Packing>(w.packing)->inputs())
-    if (!fs::is_regular_file(input)) throw UserError("packing " + w.packing.type + ": cannot read " + input.string() + ": no such file");
+    if (!fs::is_regular_file(input))
+      throw UserError("packing " + w.packing.type + ": cannot read " + input.string() + ": no such file");
   registry.create<ContactLaw>(w.contact_law);
   registry.create<Protocol>(w.protocol);
   for (const PluginChoice& c : w.postprocessors) registry.create<Postprocessor>(c);
@@ -117,7 +164,8 @@ void try_plugins(const Workflow& w, const Registry& registry) {
   for (const PluginChoice& c : w.renderers) registry.create<Renderer>(c);
 }
 
-LoadedWorkflow loaded_from(Json config, const fs::path& file, const Registry& registry, const std::string& variant = {}) {
+LoadedWorkflow loaded_from(Json config, const fs::path& file, const Registry& registry,
+                           const std::string& variant = {}) {
   LoadedWorkflow loaded;
   loaded.config = std::move(config);
   loaded.config.erase("variants");
@@ -132,7 +180,8 @@ LoadedWorkflow loaded_from(Json config, const fs::path& file, const Registry& re
 
 /// What a person who mixes the two up should read, in place of a list of unknown keys.
 BaseChain not_a_study(BaseChain chain, const fs::path& file) {
-  if (is_study(chain)) throw UserError(file.string() + ": this is a study, not a workflow: `breccia sweep " + file.string() + "` runs it");
+  if (is_study(chain))
+    throw UserError(file.string() + ": this is a study, not a workflow: `breccia sweep " + file.string() + "` runs it");
   return chain;
 }
 
@@ -140,12 +189,16 @@ BaseChain not_a_study(BaseChain chain, const fs::path& file) {
 
 bool is_study(const BaseChain& chain) {
   const YamlPtr tree = chain.files.empty() ? nullptr : chain.files[0].tree;
-  return tree && (tree->find("workflow") || tree->find("workflows")) && !tree->find("packing") && !tree->find("protocol");
+  return tree && (tree->find("workflow") || tree->find("workflows")) && !tree->find("packing") &&
+         !tree->find("protocol");
 }
 
-std::vector<std::string> workflow_variants(const fs::path& file) { return variants_of(follow_bases(read_text(file), file.string())); }
+std::vector<std::string> workflow_variants(const fs::path& file) {
+  return variants_of(follow_bases(read_text(file), file.string()));
+}
 
-LoadedWorkflow load_workflow(const fs::path& file, const std::vector<std::string>& overrides, Registry& registry, const std::string& variant) {
+LoadedWorkflow load_workflow(const fs::path& file, const std::vector<std::string>& overrides, Registry& registry,
+                             const std::string& variant) {
   const BaseChain chain = not_a_study(follow_bases(read_text(file), file.string()), file);
   for (const fs::path& path : plugin_paths(chain)) registry.add(path);
   return loaded_from(read_config(chain, workflow_schema(), registry, overrides, {}, variant), file, registry, variant);

@@ -57,7 +57,7 @@ struct Workflow {
   SamplingConfig sampling;
   std::vector<PluginChoice> postprocessors, outputs, renderers;
   Json reference, provenance;
-  Json variants;                              ///< never set: taken out when the file is read
+  Json variants;  ///< never set: taken out when the file is read
 
   static void describe(Schema<Workflow>& s);
 };
@@ -72,8 +72,8 @@ const ParamSpec& workflow_schema();
 
 /// Reads and checks a workflow file and its bases; the plugins named under `plugins:` are added to the registry first.
 /// Makes each of its plugins once, and looks for the files that its packing needs. ConfigError with every problem.
-LoadedWorkflow load_workflow(const std::filesystem::path& file, const std::vector<std::string>& overrides, Registry& registry,
-                             const std::string& variant = {});
+LoadedWorkflow load_workflow(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                             Registry& registry, const std::string& variant = {});
 
 /// Whether the first file is a study for `breccia sweep`, by its keys.
 bool is_study(const BaseChain& chain);

@@ -28,7 +28,8 @@ class Quiet final : public Host {
   int threads() const override { return 2; }
 };
 
-template <class F> double seconds(F&& f) {
+template <class F>
+double seconds(F&& f) {
   const auto start = std::chrono::steady_clock::now();
   f();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -73,8 +74,14 @@ class Case {
   }
 
   int threads() const { return threads_; }
-  double wall_time() const { double sum = 0; for (const double t : times_) sum += t; return sum; }
-  double processor() const { return *std::min_element(processor_times_.begin(), processor_times_.end()) / steps; }  // [s] per step
+  double wall_time() const {
+    double sum = 0;
+    for (const double t : times_) sum += t;
+    return sum;
+  }
+  double processor() const {
+    return *std::min_element(processor_times_.begin(), processor_times_.end()) / steps;
+  }                                                                                         // [s] per step
   double least() const { return *std::min_element(times_.begin(), times_.end()) / steps; }  // [s] per step
   double median() const {
     std::vector<double> sorted = times_;
@@ -121,7 +128,8 @@ void write_json(const std::string& file, const std::vector<std::unique_ptr<Case>
 
 void measure(const Workflow& w, const Registry& registry, const std::vector<int>& threads, const std::string& file) {
   Quiet host;
-  const PackingOutcome packing = obtain_packing(registry, w.packing, {int(w.dimension), w.thickness, std::uint64_t(w.seed)}, default_cache_folder(), host);
+  const PackingOutcome packing = obtain_packing(
+      registry, w.packing, {int(w.dimension), w.thickness, std::uint64_t(w.seed)}, default_cache_folder(), host);
   std::vector<std::unique_ptr<Case>> cases;
   for (const int t : threads) cases.push_back(std::make_unique<Case>(w, registry, packing.particles, t));
   // In turn, so that other work on the machine is in the way of each alike.
@@ -131,13 +139,17 @@ void measure(const Workflow& w, const Registry& registry, const std::vector<int>
 
   const State& s = cases[0]->simulation().state();
   const double bonds = double(s.bonds.size()), one = cases[0]->least();
-  fmt::print("{}: {} particles, {} bonds, {} pairs; time step {:.4g} us; {} batches of {} steps\n", w.name, s.particles.size(),
-             s.bonds.size(), s.pairs.size(), 1e6 * cases[0]->time_step(), Case::batches, Case::steps);
-  fmt::print("{:>7}  {:>11} {:>8}  {:>9} {:>9} {:>9} {:>10}  {:>8}  {:>10}\n", "", "ns per bond", "and step", "s per", "1000 steps", "", "", "", "pair list");
-  fmt::print("{:>7}  {:>11} {:>8}  {:>9} {:>9} {:>9} {:>10}  {:>8}  {:>10}\n", "threads", "minimum", "median", "minimum", "its cpu", "all, wall", "published", "speed-up", "made in ms");
+  fmt::print("{}: {} particles, {} bonds, {} pairs; time step {:.4g} us; {} batches of {} steps\n", w.name,
+             s.particles.size(), s.bonds.size(), s.pairs.size(), 1e6 * cases[0]->time_step(), Case::batches,
+             Case::steps);
+  fmt::print("{:>7}  {:>11} {:>8}  {:>9} {:>9} {:>9} {:>10}  {:>8}  {:>10}\n", "", "ns per bond", "and step", "s per",
+             "1000 steps", "", "", "", "pair list");
+  fmt::print("{:>7}  {:>11} {:>8}  {:>9} {:>9} {:>9} {:>10}  {:>8}  {:>10}\n", "threads", "minimum", "median",
+             "minimum", "its cpu", "all, wall", "published", "speed-up", "made in ms");
   for (const auto& c : cases)
-    fmt::print("{:>7}  {:>11.2f} {:>8.2f}  {:>9.2f} {:>9.2f} {:>9.2f} {:>10}  {:>8.2f}  {:>10.1f}\n", c->threads(), 1e9 * c->least() / bonds,
-               1e9 * c->median() / bonds, 1e3 * c->least(), 1e3 * c->processor(), c->wall_time(), published(w, c->threads()), one / c->least(), 1e3 * c->rebuild());
+    fmt::print("{:>7}  {:>11.2f} {:>8.2f}  {:>9.2f} {:>9.2f} {:>9.2f} {:>10}  {:>8.2f}  {:>10.1f}\n", c->threads(),
+               1e9 * c->least() / bonds, 1e9 * c->median() / bonds, 1e3 * c->least(), 1e3 * c->processor(),
+               c->wall_time(), published(w, c->threads()), one / c->least(), 1e3 * c->rebuild());
   write_json(file, cases);
 }
 

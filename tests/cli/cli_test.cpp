@@ -16,7 +16,8 @@ class Cli : public Program {
     csv << "x,y,z,radius\n";
     for (int k = 0; k < 8; ++k)
       for (int j = 0; j < 4; ++j)
-        for (int i = 0; i < 4; ++i) csv << 2 * i + 1 + 0.2 * ((i * 7 + j * 3 + k) % 5) << ',' << 2 * j + 1 << ',' << 2 * k + 1 << ",1\n";
+        for (int i = 0; i < 4; ++i)
+          csv << 2 * i + 1 + 0.2 * ((i * 7 + j * 3 + k) % 5) << ',' << 2 * j + 1 << ',' << 2 * k + 1 << ",1\n";
     write("small.csv", csv.str());
     write("small.yaml", small);
   }
@@ -37,12 +38,32 @@ TEST_F(Cli, RunMakesEveryFileAndTheSummaryHasItsKeys) {
   write_small();
   const Result r = call("run small.yaml --output out");
   ASSERT_EQ(r.code, 0) << r.text;
-  for (const char* file : {"summary.json", "curves.csv", "resolved.yaml", "run.log"}) EXPECT_TRUE(fs::exists(folder_ / "out" / file)) << file;
-  for (const auto& entry : fs::directory_iterator(folder_ / "out")) EXPECT_NE(entry.path().extension(), ".partial") << entry.path();
+  for (const char* file : {"summary.json", "curves.csv", "resolved.yaml", "run.log"})
+    EXPECT_TRUE(fs::exists(folder_ / "out" / file)) << file;
+  for (const auto& entry : fs::directory_iterator(folder_ / "out"))
+    EXPECT_NE(entry.path().extension(), ".partial") << entry.path();
   const Json s = summary("out");
-  for (const char* key : {"workflow", "seed", "threads", "steps", "time_step_s", "wall_time_s", "particles", "bonds", "porosity",
-                          "coordination_number", "youngs_modulus_Pa", "poisson_ratio", "peak_stress_Pa", "peak_strain", "bonds_broken_tension",
-                          "bonds_broken_shear", "global_damage", "fabric_diagonal", "ns_per_bond_step", "energy_error", "reference"})
+  for (const char* key : {"workflow",
+                          "seed",
+                          "threads",
+                          "steps",
+                          "time_step_s",
+                          "wall_time_s",
+                          "particles",
+                          "bonds",
+                          "porosity",
+                          "coordination_number",
+                          "youngs_modulus_Pa",
+                          "poisson_ratio",
+                          "peak_stress_Pa",
+                          "peak_strain",
+                          "bonds_broken_tension",
+                          "bonds_broken_shear",
+                          "global_damage",
+                          "fabric_diagonal",
+                          "ns_per_bond_step",
+                          "energy_error",
+                          "reference"})
     EXPECT_TRUE(s.contains(key)) << key;
   EXPECT_EQ(s["workflow"], "small");
   EXPECT_EQ(s["particles"], 128);
@@ -124,10 +145,12 @@ TEST_F(Cli, CtrlCStopsWithFilesComplete) {
   const pid_t child = fork();
   if (child == 0) {
     if (!std::freopen("/dev/null", "w", stderr) || chdir(folder_.c_str()) != 0) _exit(99);
-    execl(program.c_str(), program.c_str(), "run", "small.yaml", "--output", "out", "--set", "protocol.platen_velocity=0.00005 m/s", nullptr);
+    execl(program.c_str(), program.c_str(), "run", "small.yaml", "--output", "out", "--set",
+          "protocol.platen_velocity=0.00005 m/s", nullptr);
     _exit(98);
   }
-  for (int k = 0; k < 600 && !fs::exists(folder_ / "out/curves.csv.partial"); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  for (int k = 0; k < 600 && !fs::exists(folder_ / "out/curves.csv.partial"); ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
   kill(child, SIGINT);
   int status = 0;
@@ -152,14 +175,16 @@ TEST_F(Cli, FullDiskIsToldAndNothingLooksWhole) {
 TEST_F(Cli, ListDescribeSchema) {
   Result r = call("list");
   EXPECT_EQ(r.code, 0) << r.text;
-  for (const char* name : {"packing/labra_onate", "packing/from_file", "contact_law/elastic_brittle", "protocol/uniaxial_compression", "postprocessor/stress"})
+  for (const char* name : {"packing/labra_onate", "packing/from_file", "contact_law/elastic_brittle",
+                           "protocol/uniaxial_compression", "postprocessor/stress"})
     EXPECT_NE(r.text.find(name), std::string::npos) << name;
   r = call("list contact_laws");
   EXPECT_EQ(r.code, 2);
   EXPECT_NE(r.text.find("contact_law"), std::string::npos);
   r = call("describe contact_law/elastic_brittle");
   EXPECT_EQ(r.code, 0);
-  for (const char* word : {"bond_modulus", "Pa", "model_3c", "Eq. 19"}) EXPECT_NE(r.text.find(word), std::string::npos) << word;
+  for (const char* word : {"bond_modulus", "Pa", "model_3c", "Eq. 19"})
+    EXPECT_NE(r.text.find(word), std::string::npos) << word;
   EXPECT_EQ(Json::parse(call("describe contact_law/elastic_brittle --format json").text)["name"], "elastic_brittle");
   EXPECT_NE(call("describe workflow --format markdown").text.find("bonding"), std::string::npos);
   EXPECT_EQ(call("describe contact_law/elastic_britle").code, 2);
@@ -169,7 +194,8 @@ TEST_F(Cli, ListDescribeSchema) {
 TEST_F(Cli, ShippedWorkflowsAreValidAndTheSchemaIsCurrent) {
   std::string files;
   for (const auto& entry : fs::recursive_directory_iterator(BRECCIA_SOURCE_DIR "/workflows"))
-    if (entry.path().extension() == ".yaml" && entry.path().parent_path().filename() != "base") files += " '" + entry.path().string() + "'";
+    if (entry.path().extension() == ".yaml" && entry.path().parent_path().filename() != "base")
+      files += " '" + entry.path().string() + "'";
   ASSERT_FALSE(files.empty());
   const Result r = call("validate" + files);
   EXPECT_EQ(r.code, 0) << r.text;

@@ -20,7 +20,8 @@ class Compare : public Program {
   void add(const std::string& run, const std::string& summary) const {
     fs::create_directories(folder_ / run);
     std::ofstream(folder_ / run / "summary.json") << summary;
-    std::ofstream(folder_ / run / "curves.csv") << "time_s,axial_strain,axial_stress_Pa\n0,0,0\n1,0.001,2e7\n2,0.002,3e7\n";
+    std::ofstream(folder_ / run / "curves.csv")
+        << "time_s,axial_strain,axial_stress_Pa\n0,0,0\n1,0.001,2e7\n2,0.002,3e7\n";
   }
   /// Both streams, after the exit code. Without OpenGL: tables only.
   std::string call(const std::string& arguments) const {
@@ -39,11 +40,12 @@ class Compare : public Program {
 TEST_F(Compare, EveryNumberOfEveryRun) {
   const std::string text = call("a b/ -o out");
   ASSERT_EQ(text.substr(0, 2), "0:") << text;
-  EXPECT_EQ(made("comparison.csv"),
-            "label,interrupted,wall_time_s,bonds,coordination_number,porosity,peak_stress_Pa,youngs_modulus_Pa,"
-            "damage.fragments,damage.deeper.ratio,damage.bonds_broken,reference.peak_stress_Pa,reference.youngs_modulus_Pa\n"
-            "a,0,3.5,200,,0.25,330000000.0,,7,0.125,,300000000.0,20000000000.0\n"
-            "b,1,4,100,9.5,0.5,,,,,12,,\n");
+  EXPECT_EQ(
+      made("comparison.csv"),
+      "label,interrupted,wall_time_s,bonds,coordination_number,porosity,peak_stress_Pa,youngs_modulus_Pa,"
+      "damage.fragments,damage.deeper.ratio,damage.bonds_broken,reference.peak_stress_Pa,reference.youngs_modulus_Pa\n"
+      "a,0,3.5,200,,0.25,330000000.0,,7,0.125,,300000000.0,20000000000.0\n"
+      "b,1,4,100,9.5,0.5,,,,,12,,\n");
   EXPECT_NE(text.find("warning: the run `b` was stopped before its end"), std::string::npos) << text;
 }
 
@@ -51,10 +53,11 @@ TEST_F(Compare, TheTableForReadersHasUnitsReferencesAndDistances) {
   ASSERT_EQ(call("a b -o out").substr(0, 2), "0:");
   const std::string text = made("comparison.md");
   const std::string table = text.substr(text.find("| | a"), text.find("\n\n", text.find("| | a")) - text.find("| | a"));
-  EXPECT_EQ(table,
-            "| | a | reference | b |\n|---|---:|---:|---:|\n| workflow | first |  | second |\n| interrupted | no |  | yes |\n"
-            "| bonds | 200 |  | 100 |\n| coordination number |  |  | 9.5 |\n| porosity | 0.25 |  | 0.5 |\n"
-            "| peak stress (MPa) | 330 | 300 (+10.0 %) |  |\n| Young's modulus (GPa) |  | 20 |  |");
+  EXPECT_EQ(
+      table,
+      "| | a | reference | b |\n|---|---:|---:|---:|\n| workflow | first |  | second |\n| interrupted | no |  | yes |\n"
+      "| bonds | 200 |  | 100 |\n| coordination number |  |  | 9.5 |\n| porosity | 0.25 |  | 0.5 |\n"
+      "| peak stress (MPa) | 330 | 300 (+10.0 %) |  |\n| Young's modulus (GPa) |  | 20 |  |");
   EXPECT_NE(text.find("reference: A paper"), std::string::npos);
   EXPECT_EQ(text.find("wall"), std::string::npos) << "bookkeeping";
 }
@@ -109,11 +112,12 @@ TEST_F(Compare, WhatIsNoFinishedRunIsNamed) {
   expect_refused("-o out", "DIR");
 }
 
-/// sigma_1 = 20 MPa + 4 sigma_3: c = 5 MPa, sin(phi) = 0.6. The tensile test and the one in a rigid cell are not fitted.
+/// sigma_1 = 20 MPa + 4 sigma_3: c = 5 MPa, sin(phi) = 0.6. The tensile test and the one in a rigid cell are not
+/// fitted.
 TEST_F(Compare, StrengthEnvelope) {
   const auto test = [](double minor, double major, const char* more = "") {
-    return R"({"protocol_x": {"peak_platen_stress_Pa": )" + std::to_string(major) + R"(, "peak_deviatoric_platen_stress_Pa": )" +
-           std::to_string(major - minor) + more + "}}";
+    return R"({"protocol_x": {"peak_platen_stress_Pa": )" + std::to_string(major) +
+           R"(, "peak_deviatoric_platen_stress_Pa": )" + std::to_string(major - minor) + more + "}}";
   };
   add("ucs", test(0, 20e6));
   add("t5", test(5e6, 40e6));
@@ -135,7 +139,8 @@ TEST_F(Compare, StrengthEnvelope) {
   EXPECT_EQ(json["tests"][4]["major_stress_Pa"], 0);
   EXPECT_EQ(json["tests"][4]["in_fit"], false);
   const std::string text = made("comparison.md");
-  EXPECT_NE(text.find("sigma_1 = 20 MPa + 4 sigma_3: cohesion 5 MPa, angle of friction 36.9°"), std::string::npos) << text;
+  EXPECT_NE(text.find("sigma_1 = 20 MPa + 4 sigma_3: cohesion 5 MPa, angle of friction 36.9°"), std::string::npos)
+      << text;
   EXPECT_NE(text.find("| t5 | 5 | 40 |"), std::string::npos) << text;
   ASSERT_EQ(call("ucs disc a -o flat").substr(0, 2), "0:");
   EXPECT_FALSE(fs::exists(folder_ / "flat/strength_envelope.json"));

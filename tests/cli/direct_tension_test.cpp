@@ -67,9 +67,11 @@ postprocessors:
     sense: tension
 )";
 
-/// Chains of bonds side by side: Young's modulus is the bonds', nothing couples the axes, strength is that of the bonds.
+/// Chains of bonds side by side: Young's modulus is the bonds', nothing couples the axes, strength is that of the
+/// bonds.
 TEST_F(Lattices, DirectTensionOfALattice) {
-  const std::string tension = cubes + "protocol: {type: direct_tension, plate_velocity: 0.05 m/s, ramp_time: 100 us, time_after_peak: 30 us";
+  const std::string tension =
+      cubes + "protocol: {type: direct_tension, plate_velocity: 0.05 m/s, ramp_time: 100 us, time_after_peak: 30 us";
   for (const std::string moving : {"upper", "both"}) {
     const Json s = run(moving, tension + ", moving_plates: " + moving + "}\n");
     if (HasFailure()) return;
@@ -89,7 +91,8 @@ TEST_F(Lattices, DirectTensionOfALattice) {
     const std::size_t half = c.at("platen_strain").size() / 3;
     EXPECT_LT(c.at("platen_stress_Pa")[half], 0) << "tension is negative";
     EXPECT_LT(c.at("platen_strain")[half], 0);
-    EXPECT_NEAR(c.at("gauge_axial_strain")[half] / c.at("platen_strain")[half], 1, 0.03) << "the strain is the same all along";
+    EXPECT_NEAR(c.at("gauge_axial_strain")[half] / c.at("platen_strain")[half], 1, 0.03)
+        << "the strain is the same all along";
   }
 }
 
@@ -100,8 +103,10 @@ TEST_F(Lattices, DirectTensionBreaksWhereItMay) {
   if (HasFailure()) return;
   const int all = 12 * 2 * 4 * 3 + 11 * 16;
   EXPECT_EQ(s["bonds"].get<int>(), all);
-  EXPECT_EQ(s["direct_tension"]["protected_bonds"].get<int>(), all - (2 * 24 + 16)) << "two layers of particles in 4.8 mm";
-  EXPECT_EQ(s["direct_tension"]["broken_bonds_at_end"].get<int>(), 16) << "all between the two layers and none elsewhere";
+  EXPECT_EQ(s["direct_tension"]["protected_bonds"].get<int>(), all - (2 * 24 + 16))
+      << "two layers of particles in 4.8 mm";
+  EXPECT_EQ(s["direct_tension"]["broken_bonds_at_end"].get<int>(), 16)
+      << "all between the two layers and none elsewhere";
   const Json none = run("everywhere", tension + "breakable_layer: 1}\n");
   EXPECT_EQ(none["direct_tension"]["protected_bonds"], 0);
 }
@@ -143,7 +148,8 @@ protocol: {type: biaxial_compression, confining_pressure: 10 MPa, platen_velocit
   const Json s = run("biaxial", discs);
   if (HasFailure()) return;
   const auto c = curves("biaxial");
-  for (const char* name : {"stage", "lateral_stress_Pa", "confining_pressure_applied_Pa", "platen_stress_Pa"}) ASSERT_TRUE(c.count(name)) << name;
+  for (const char* name : {"stage", "lateral_stress_Pa", "confining_pressure_applied_Pa", "platen_stress_Pa"})
+    ASSERT_TRUE(c.count(name)) << name;
   std::size_t loaded = 0;
   for (std::size_t k = 0; k < c.at("stage").size(); ++k) {
     if (c.at("stage")[k] < 1) continue;
@@ -153,7 +159,8 @@ protocol: {type: biaxial_compression, confining_pressure: 10 MPa, platen_velocit
   }
   EXPECT_GT(loaded, 10u);
   EXPECT_GT(c.at("platen_stress_Pa").back(), 30e6) << "the platens go on";
-  run("solid", cubes + "protocol: {type: biaxial_compression, confining_pressure: 10 MPa, platen_velocity: 0.1 m/s}\n", 2);
+  run("solid", cubes + "protocol: {type: biaxial_compression, confining_pressure: 10 MPa, platen_velocity: 0.1 m/s}\n",
+      2);
   EXPECT_NE(last_.text.find("triaxial_compression"), std::string::npos) << last_.text;
 }
 

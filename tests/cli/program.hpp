@@ -44,7 +44,8 @@ class Program : public ::testing::Test {
   /// In the folder; `before` stands before the program on the command line.
   Result call(const std::string& arguments, const std::string& before = "") const {
     const fs::path out = folder_.string() + ".txt";
-    const std::string command = "cd '" + folder_.string() + "' && " + before + " '" + program + "' " + arguments + " >'" + out.string() + "' 2>&1 </dev/null";
+    const std::string command = "cd '" + folder_.string() + "' && " + before + " '" + program + "' " + arguments +
+                                " >'" + out.string() + "' 2>&1 </dev/null";
     const int status = std::system(command.c_str());
     Result result{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), content(out)};
     fs::remove(out);

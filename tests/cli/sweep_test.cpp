@@ -13,17 +13,20 @@ class Sweep : public SweepProgram {
 };
 
 TEST_F(Sweep, EveryCaseAndWorkflowInOneTidyTable) {
-  write("study.yaml",
-        "workflows: [{name: soft, file: small.yaml}, {name: stiff, file: weak.yaml}]\nfixed: {sampling.every_steps: 4}\n"
-        "grid: {contact_law.stiffness_ratio: [2, 4]}\ncollect: [youngs_modulus_Pa, energy.elastic_bonds_J, poisson_ratio]\n"
-        "derived:\n  - {name: modulus_ratio, numerator: stiff.youngs_modulus_Pa, denominator: soft.youngs_modulus_Pa}\n"
-        "  - {name: per_ratio, numerator: soft.youngs_modulus_Pa, denominator: contact_law.stiffness_ratio}\n");
+  write(
+      "study.yaml",
+      "workflows: [{name: soft, file: small.yaml}, {name: stiff, file: weak.yaml}]\nfixed: {sampling.every_steps: 4}\n"
+      "grid: {contact_law.stiffness_ratio: [2, 4]}\ncollect: [youngs_modulus_Pa, energy.elastic_bonds_J, "
+      "poisson_ratio]\n"
+      "derived:\n  - {name: modulus_ratio, numerator: stiff.youngs_modulus_Pa, denominator: soft.youngs_modulus_Pa}\n"
+      "  - {name: per_ratio, numerator: soft.youngs_modulus_Pa, denominator: contact_law.stiffness_ratio}\n");
   const Result r = call("sweep study.yaml --jobs 2");
   ASSERT_EQ(r.code, 0) << r.text;
   const std::string csv = content(folder_ / "results/study/results.csv");
-  EXPECT_EQ(csv.substr(0, csv.find('\n')),
-            "case,folder,workflow,contact_law.stiffness_ratio,status,youngs_modulus_Pa,energy.elastic_bonds_J,poisson_ratio,"
-            "modulus_ratio,per_ratio,error");
+  EXPECT_EQ(
+      csv.substr(0, csv.find('\n')),
+      "case,folder,workflow,contact_law.stiffness_ratio,status,youngs_modulus_Pa,energy.elastic_bonds_J,poisson_ratio,"
+      "modulus_ratio,per_ratio,error");
   const Rows rows = results("study");
   ASSERT_EQ(rows.size(), 4u);
   for (const auto& row : rows) {
@@ -46,13 +49,13 @@ TEST_F(Sweep, EveryCaseAndWorkflowInOneTidyTable) {
 }
 
 TEST_F(Sweep, ACaseIsTheRunThatSetWouldMake) {
-  write("study.yaml", "workflow: small.yaml\ngrid: {contact_law.bond_modulus: [12 GPa], contact_law.stiffness_ratio: [2]}\n");
+  write("study.yaml",
+        "workflow: small.yaml\ngrid: {contact_law.bond_modulus: [12 GPa], contact_law.stiffness_ratio: [2]}\n");
   ASSERT_EQ(call("sweep study.yaml").code, 0);
-  ASSERT_EQ(
-      call(
-          "run small.yaml --threads 1 --output plain --set 'contact_law.bond_modulus=12 GPa' --set contact_law.stiffness_ratio=2")
-          .code,
-      0);
+  ASSERT_EQ(call("run small.yaml --threads 1 --output plain --set 'contact_law.bond_modulus=12 GPa' --set "
+                 "contact_law.stiffness_ratio=2")
+                .code,
+            0);
   const fs::path folder = case_of("study", "bond_modulus=12_GPa_stiffness_ratio=2");
   EXPECT_EQ(content(folder / "curves.csv"), content(folder_ / "plain/curves.csv"));
   EXPECT_EQ(content(folder / "resolved.yaml"), content(folder_ / "plain/resolved.yaml"));
@@ -68,7 +71,8 @@ TEST_F(Sweep, AFailedCaseIsReportedAndStopsNoOther) {
     EXPECT_EQ(rows[k].at("status"), "failed");
     EXPECT_NE(rows[k].at("error").find("bad.csv"), std::string::npos) << rows[k].at("error");
     EXPECT_EQ(rows[k].at("youngs_modulus_Pa"), "");
-    EXPECT_NE(r.text.find("  case " + std::to_string(k + 1) + " (" + rows[k].at("folder") + "): failed: " + rows[k].at("error")),
+    EXPECT_NE(r.text.find("  case " + std::to_string(k + 1) + " (" + rows[k].at("folder") +
+                          "): failed: " + rows[k].at("error")),
               std::string::npos)
         << r.text;
   }
@@ -187,19 +191,22 @@ TEST_F(Sweep, ValuesThatNoSummaryHasAreTold) {
         "workflow: small.yaml\ngrid: {seed: [1]}\ncollect: [peak_stres_Pa]\ncharts: [{x: seed, y: youngs_modulus}]\n");
   const Result r = call("sweep study.yaml");
   EXPECT_EQ(r.code, 0);
-  EXPECT_NE(r.text.find("warning: collect: no summary has `peak_stres_Pa`; did you mean `peak_stress_Pa`?"), std::string::npos)
+  EXPECT_NE(r.text.find("warning: collect: no summary has `peak_stres_Pa`; did you mean `peak_stress_Pa`?"),
+            std::string::npos)
       << r.text;
-  EXPECT_NE(r.text.find(
-                "warning: chart `youngs_modulus_over_seed`: no summary has `youngs_modulus`; did you mean `youngs_modulus_Pa`?"),
+  EXPECT_NE(r.text.find("warning: chart `youngs_modulus_over_seed`: no summary has `youngs_modulus`; did you mean "
+                        "`youngs_modulus_Pa`?"),
             std::string::npos)
       << r.text;
 }
 
 TEST_F(Sweep, CasesThatMakeTheSamePackingAtOnceShareIt) {
-  write("study.yaml",
-        "workflow: small.yaml\nfixed: {packing: {type: labra_onate, container: {shape: box, size: [6 mm, 6 mm, 12 mm]}, "
-        "particles: 150, "
-        "radius: {distribution: uniform, min: 0.5 mm, max: 0.6 mm}}}\ngrid: {contact_law.stiffness_ratio: [2, 3, 4, 5]}\n");
+  write(
+      "study.yaml",
+      "workflow: small.yaml\nfixed: {packing: {type: labra_onate, container: {shape: box, size: [6 mm, 6 mm, 12 mm]}, "
+      "particles: 150, "
+      "radius: {distribution: uniform, min: 0.5 mm, max: 0.6 mm}}}\ngrid: {contact_law.stiffness_ratio: [2, 3, 4, "
+      "5]}\n");
   const Result r = call("sweep study.yaml --jobs 4");
   EXPECT_EQ(r.code, 0) << r.text << content(folder_ / "results/study/results.csv");
   int made = 0;
@@ -235,7 +242,8 @@ TEST_F(SweepElsewhere, CaseByCaseGivesTheSameTables) {
   ASSERT_EQ(cases.size(), 4u);
   for (const auto& row : cases) {
     const bool by_number = row.at("case") < "3", fails = row.at("packing.file").ends_with("bad.csv");
-    EXPECT_EQ(call("sweep study.yaml --output apart --case '" + row.at(by_number ? "case" : "folder") + "'").code, fails ? 1 : 0);
+    EXPECT_EQ(call("sweep study.yaml --output apart --case '" + row.at(by_number ? "case" : "folder") + "'").code,
+              fails ? 1 : 0);
   }
   EXPECT_EQ(call("sweep study.yaml --output apart --collect").code, 1);
   expect_same("apart");
@@ -250,12 +258,14 @@ TEST_F(SweepElsewhere, SnakemakeGivesTheSameTables) {
       "' snakemake --snakefile '" BRECCIA_SOURCE_DIR
       "/docs/examples/sweep/Snakefile' --cores 2 --nolock --config study=study.yaml output=snake breccia='" +
       program + "' >snake.txt 2>&1 </dev/null";
-  ASSERT_EQ(std::system(snakemake.c_str()), 0) << "tools/packages --tests installs snakemake\n" << content(folder_ / "snake.txt");
+  ASSERT_EQ(std::system(snakemake.c_str()), 0) << "tools/packages --tests installs snakemake\n"
+                                               << content(folder_ / "snake.txt");
   expect_same("snake");
   // One more value: only its cases are run.
   const fs::path summary = folder_ / "snake/cases/file=small.csv_stiffness_ratio=4/summary.json";
   const auto before = changed(summary);
-  write("study.yaml", "workflow: small.yaml\ngrid: {packing.file: [small.csv], contact_law.stiffness_ratio: [2, 3, 4]}\n");
+  write("study.yaml",
+        "workflow: small.yaml\ngrid: {packing.file: [small.csv], contact_law.stiffness_ratio: [2, 3, 4]}\n");
   ASSERT_EQ(std::system(snakemake.c_str()), 0) << content(folder_ / "snake.txt");
   EXPECT_EQ(rows_of(content(folder_ / "snake/results.csv")).size(), 3u);
   EXPECT_EQ(changed(summary), before);

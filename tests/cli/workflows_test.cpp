@@ -20,9 +20,12 @@ class SmallWorkflows : public Program {
     const double scale = std::cbrt(300.0 / (specimen == "1" ? 10225 : 5868));
     const auto millimetres = [&](double x) { return std::to_string(scale * x) + " mm"; };
     const std::string name = "specimen" + specimen + "_model" + model;
-    const Result r = call("run '" + workflows + "rojek2012/" + name + ".yaml' --output " + name + " --threads 1 --set packing.particles=300" +
-                          " --set 'packing.container.diameter=" + millimetres(23) + "' --set 'packing.container.height=" + millimetres(46) +
-                          (specimen == "2" ? "' --set 'packing.overlap_tolerance=40 %" : "") + "' --set protocol.max_strain=0.4% --set outputs=[] --set renderers=[]");
+    const Result r =
+        call("run '" + workflows + "rojek2012/" + name + ".yaml' --output " + name +
+             " --threads 1 --set packing.particles=300" + " --set 'packing.container.diameter=" + millimetres(23) +
+             "' --set 'packing.container.height=" + millimetres(46) +
+             (specimen == "2" ? "' --set 'packing.overlap_tolerance=40 %" : "") +
+             "' --set protocol.max_strain=0.4% --set outputs=[] --set renderers=[]");
     EXPECT_EQ(r.code, 0) << r.text;
     return r.code == 0 ? Json::parse(content(folder_ / name / "summary.json")) : Json();
   }
@@ -34,9 +37,11 @@ TEST_F(SmallWorkflows, Rojek2012) {
     for (const std::string model : {"1", "2", "3a", "3b", "3c"}) of[model] = run(specimen, model);
     if (HasFailure()) return;
     const auto modulus = [&](const std::string& model) { return of[model]["youngs_modulus_Pa"].get<double>(); };
-    const auto stiffness = [&](const std::string& model) { return of[model]["elastic_brittle"]["normal_stiffness_N_m"].get<double>(); };
-    // The same particles in all five; a harmonic mean is below an arithmetic one; with uniform parameters the modulus is
-    // proportional to the stiffness of the bonds, as long as none breaks.
+    const auto stiffness = [&](const std::string& model) {
+      return of[model]["elastic_brittle"]["normal_stiffness_N_m"].get<double>();
+    };
+    // The same particles in all five; a harmonic mean is below an arithmetic one; with uniform parameters the modulus
+    // is proportional to the stiffness of the bonds, as long as none breaks.
     for (const auto& [model, summary] : of) {
       EXPECT_EQ(summary["statistics"], of["1"]["statistics"]) << specimen << model;
       EXPECT_GT(summary["poisson_ratio"], 0) << specimen << model;
@@ -45,7 +50,9 @@ TEST_F(SmallWorkflows, Rojek2012) {
     ASSERT_EQ(of["3a"]["bonds_broken_shear"], 0);
     ASSERT_EQ(of["3b"]["bonds_broken_shear"], 0);
     EXPECT_NEAR(modulus("3a") / modulus("3b"), stiffness("3a") / stiffness("3b"), 0.03) << specimen;
-    const auto mean = [&](const std::string& quantity, const std::string& key) { return of["1"]["statistics"][quantity][key].get<double>(); };
+    const auto mean = [&](const std::string& quantity, const std::string& key) {
+      return of["1"]["statistics"][quantity][key].get<double>();
+    };
     EXPECT_NEAR(stiffness("3a"), 2 * 10e9 * mean("particle_radius", "mean_m"), 1e-6 * stiffness("3a"));
     EXPECT_NEAR(stiffness("3b"), 2 * 10e9 * mean("pair_arithmetic_mean_radius", "mean_m"), 1e-6 * stiffness("3b"));
     EXPECT_NEAR(stiffness("3c"), 2 * 10e9 * mean("pair_harmonic_mean_radius", "mean_m"), 1e-6 * stiffness("3c"));
@@ -58,7 +65,8 @@ TEST_F(SmallWorkflows, Rojek2012) {
 class SmallOuyang : public Program {
  protected:
   Json run(const std::string& name, const std::string& more = "") const {
-    const Result r = call("run '" + workflows + "ouyang2017/" + name + ".yaml' --variant small --output " + name + " --threads 1 " + more);
+    const Result r = call("run '" + workflows + "ouyang2017/" + name + ".yaml' --variant small --output " + name +
+                          " --threads 1 " + more);
     EXPECT_EQ(r.code, 0) << name << r.text;
     return r.code == 0 ? Json::parse(content(folder_ / name / "summary.json")) : Json();
   }

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Workflows that build on other files. Expected values are those of the one file that a user would write instead.
-#include "config/base_chain.hpp"
-
 #include <gtest/gtest.h>
-
 #include <unistd.h>
 
 #include <fstream>
 
+#include "config/base_chain.hpp"
 #include "config/reader.hpp"
 #include "config/writer.hpp"
 #include "fake_workflow.hpp"
@@ -36,9 +34,7 @@ class Bases : public testing::Test {
     std::string all;
     try {
       return "no problem: " + read(text, overrides).dump();
-    } catch (const ConfigError& error) {
-      all = error.what();
-    }
+    } catch (const ConfigError& error) { all = error.what(); }
     const std::string folder = folder_.string() + "/";
     for (std::size_t at = all.find(folder); at != std::string::npos; at = all.find(folder))
       all.erase(at, folder.size());
@@ -110,7 +106,8 @@ TEST_F(Bases, AlternativesOfTheFilesGiveWayToOverrides) {
   EXPECT_EQ(got["specimen"], Json::parse(R"({"diameter": 0.023, "height": 1.0, "porosity": 0.23})"));
   EXPECT_FALSE(got.contains("quick"));
   EXPECT_EQ(problems_of("base: base.yaml\n", {"quick=1", "slow=2"}),
-            "--set:2:1: give only one of `quick` and `slow`, not `quick` and `slow`") << "of two overrides neither gives way";
+            "--set:2:1: give only one of `quick` and `slow`, not `quick` and `slow`")
+      << "of two overrides neither gives way";
   EXPECT_EQ(problems_of("base: base.yaml\nquick: 1\nslow: 2\n", {"seed=3"}),
             "workflow.yaml:3:1: give only one of `quick` and `slow`, not `quick` and `slow`");
 }

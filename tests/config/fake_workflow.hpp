@@ -18,11 +18,18 @@ struct BrittleLaw {
   static void describe(Schema<BrittleLaw>& s) {
     s.summary("brittle bonds").details("F = K u | no more").source("a paper, Eq. 1");
     s.param("model", &BrittleLaw::kind)
-        .choice("model_1", Model::model_1, "arithmetic means").choice("model_2", Model::model_2, "harmonic means")
-        .doc("how stiffness follows from radii").fallback("model_1");
+        .choice("model_1", Model::model_1, "arithmetic means")
+        .choice("model_2", Model::model_2, "harmonic means")
+        .doc("how stiffness follows from radii")
+        .fallback("model_1");
     s.param("bond_modulus", &BrittleLaw::bond_modulus).unit("Pa").above(0).example("10 GPa").doc("modulus of the bond");
-    s.param("tensile_strength", &BrittleLaw::tensile_strength).unit("Pa").above(0).at_most(1e9).example("40 MPa")
-        .doc("strength of the bond").source("Eq. 25");
+    s.param("tensile_strength", &BrittleLaw::tensile_strength)
+        .unit("Pa")
+        .above(0)
+        .at_most(1e9)
+        .example("40 MPa")
+        .doc("strength of the bond")
+        .source("Eq. 25");
     s.param("friction", &BrittleLaw::friction).at_least(0).example("0.5").doc("Coulomb coefficient").fallback(0.5);
     s.param("angle", &BrittleLaw::angle).unit("rad").at_least(0).below(1.5).doc("friction angle").fallback(0.25);
     s.param("damping", &BrittleLaw::damping).unit("kg/s").above(0).doc("viscous");
@@ -104,7 +111,9 @@ struct Workflow {
     s.param("particles", &Workflow::particles).doc("a file").fallback("particles.csv");
     s.param("levels", &Workflow::levels).unit("Pa").items(1, 4).above(0).doc("of stress").fallback({1e6, 2e6});
     s.param("contact_law", &Workflow::contact_law).kind("contact_law").doc("between particles");
-    s.param("postprocessor", &Workflow::postprocessor).kind("postprocessor").doc("measurements")
+    s.param("postprocessor", &Workflow::postprocessor)
+        .kind("postprocessor")
+        .doc("measurements")
         .fallback(Json::array({{{"type", "stress"}}}));
     s.param("expected", &Workflow::expected).doc("reference values").fallback(Json::object());
     s.param("quick", &Workflow::quick).doc("one way");
@@ -140,7 +149,8 @@ class Plugins final : public PluginDirectory {
     Documentation doc;
     std::function<Issues(const Json&)> check;
   };
-  template <class C> void add(const std::string& kind, const std::string& name) {
+  template <class C>
+  void add(const std::string& kind, const std::string& name) {
     auto schema = std::make_shared<Schema<C>>();
     C::describe(*schema);
     entries_[{kind, name}] = {schema->documentation(), [schema](const Json& j) { return schema->check(j); }};

@@ -29,13 +29,27 @@ class Mutator {
         "type", "type: ", "{a: &a [*a]}", "[[[[",  "\\x",   "\xEF\xBB\xBF"};
     const std::size_t at = below(text.size());
     switch (random_() % 7) {
-      case 0: if (!text.empty()) text[at] = special[below(special.size())]; break;
-      case 1: text.insert(at, 1, special[below(special.size())]); break;
-      case 2: text.erase(at, 1 + below(20)); break;
-      case 3: text.insert(at, words[below(std::size(words))]); break;
-      case 4: text.insert(below(text.size()), text.substr(at, below(60))); break;
-      case 5: if (!text.empty()) text[at] = char(random_()); break;
-      case 6: text.resize(at); break;
+      case 0:
+        if (!text.empty()) text[at] = special[below(special.size())];
+        break;
+      case 1:
+        text.insert(at, 1, special[below(special.size())]);
+        break;
+      case 2:
+        text.erase(at, 1 + below(20));
+        break;
+      case 3:
+        text.insert(at, words[below(std::size(words))]);
+        break;
+      case 4:
+        text.insert(below(text.size()), text.substr(at, below(60)));
+        break;
+      case 5:
+        if (!text.empty()) text[at] = char(random_());
+        break;
+      case 6:
+        text.resize(at);
+        break;
     }
   }
   std::mt19937_64 random_{2026};
@@ -76,9 +90,7 @@ TEST(Fuzz, MutatedOverridesAreReadOrRefused) {
     SCOPED_TRACE(text);
     try {
       read_config(fake::valid, "/folder/workflow.yaml", fake::root(), plugins, {text}, fake::rules);
-    } catch (const ConfigError& error) {
-      ASSERT_FALSE(error.problems().empty());
-    }
+    } catch (const ConfigError& error) { ASSERT_FALSE(error.problems().empty()); }
   }
 }
 

@@ -18,9 +18,7 @@ Json read(const std::string& text, const std::vector<std::string>& overrides = {
 std::string problems_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
   try {
     return "no problem: " + read(text, overrides).dump();
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
+  } catch (const ConfigError& error) { return error.what(); }
 }
 
 constexpr const char* minimal =

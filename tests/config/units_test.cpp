@@ -17,9 +17,7 @@ std::string problem_of(const std::string& text, const std::string& unit) {
   try {
     const double value = parse_quantity(text, unit);
     return "no problem: " + std::to_string(value);
-  } catch (const UserError& error) {
-    return error.what();
-  }
+  } catch (const UserError& error) { return error.what(); }
 }
 
 TEST(Units, ConvertsToSi) {

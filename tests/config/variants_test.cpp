@@ -18,15 +18,14 @@ variants:
 )";
 
 Json read(const std::string& text, const std::string& variant, const std::vector<std::string>& overrides = {}) {
-  return read_config(follow_bases(text, "workflow.yaml"), fake::root(), fake::Plugins(), overrides, fake::rules, variant);
+  return read_config(follow_bases(text, "workflow.yaml"), fake::root(), fake::Plugins(), overrides, fake::rules,
+                     variant);
 }
 
 std::string problem(const std::string& text, const std::string& variant) {
   try {
     return "no problem: " + read(text, variant).dump();
-  } catch (const UserError& e) {
-    return e.what();
-  }
+  } catch (const UserError& e) { return e.what(); }
 }
 
 TEST(Variants, AreLaidOverTheWorkflow) {
@@ -44,7 +43,8 @@ TEST(Variants, ValuesOfTheCommandLineAreOnTop) {
 }
 
 TEST(Variants, MistakesInOneAreReportedWhereTheyStand) {
-  EXPECT_EQ(problem(workflow, ""), "no problem: " + read(workflow, "").dump()) << "a variant that is not asked for does not count";
+  EXPECT_EQ(problem(workflow, ""), "no problem: " + read(workflow, "").dump())
+      << "a variant that is not asked for does not count";
   EXPECT_EQ(problem(workflow, "wrong").substr(0, 43), "workflow.yaml:7:22: specimen.diametre: is n");
 }
 
@@ -56,9 +56,12 @@ TEST(Variants, UnknownOnesAreRefusedWithASuggestion) {
 
 TEST(Variants, MustBeMappingsWithoutBasesOrVariantsOfTheirOwn) {
   const std::string without = std::string(workflow).substr(0, std::string(workflow).find("variants:"));
-  EXPECT_EQ(problem(without + "variants: 3\n", ""), "workflow.yaml:5:1: variants: must be a mapping: the name of each variant, and what differs in it");
-  EXPECT_EQ(problem(without + "variants: {a: 3}\n", ""), "workflow.yaml:5:12: variants.a: must be a mapping of what differs in this variant");
-  EXPECT_EQ(problem(without + "variants: {a: {base: x.yaml}}\n", ""), "workflow.yaml:5:16: variants.a.base: a variant has no base of its own");
+  EXPECT_EQ(problem(without + "variants: 3\n", ""),
+            "workflow.yaml:5:1: variants: must be a mapping: the name of each variant, and what differs in it");
+  EXPECT_EQ(problem(without + "variants: {a: 3}\n", ""),
+            "workflow.yaml:5:12: variants.a: must be a mapping of what differs in this variant");
+  EXPECT_EQ(problem(without + "variants: {a: {base: x.yaml}}\n", ""),
+            "workflow.yaml:5:16: variants.a.base: a variant has no base of its own");
 }
 
 TEST(Variants, AreListedInOrder) {

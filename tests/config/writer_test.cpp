@@ -22,9 +22,10 @@ TEST(Writer, WhatItWritesReadsBackTheSame) {
 }
 
 TEST(Writer, AwkwardNumbersKeepTheirBits) {
-  std::string text = "specimen: {diameter: 0.1000000000000000055511151231257827 in, height: 1e-310 m}\n"
-                     "contact_law: {type: soft, stiffness: 4.9406564584124654e-324 N/m}\nsafety: 0.30000000000000004\n"
-                     "expected: {a: -0.0, b: 1e22, c: 0.1, d: 123456789012345678901, e: -7, f: 9007199254740993}\n";
+  std::string text =
+      "specimen: {diameter: 0.1000000000000000055511151231257827 in, height: 1e-310 m}\n"
+      "contact_law: {type: soft, stiffness: 4.9406564584124654e-324 N/m}\nsafety: 0.30000000000000004\n"
+      "expected: {a: -0.0, b: 1e22, c: 0.1, d: 123456789012345678901, e: -7, f: 9007199254740993}\n";
   const Json config = read(text);
   EXPECT_EQ(read(write_yaml(config, fake::root(), fake::Plugins())).dump(), config.dump());
 }

@@ -12,9 +12,9 @@ struct PairSetup {
   bool bonded = true;
   double step = 1e9;  ///< in critical steps: nothing moves freely, so it may be so long that rates vanish
   int dimension = 3;
-  double thickness = 1;                       // [m]
-  double radius_i = 1e-3, radius_j = 1e-3;    // [m]
-  double gap = 0;                             ///< between the surfaces at the start [m]
+  double thickness = 1;                     // [m]
+  double radius_i = 1e-3, radius_j = 1e-3;  // [m]
+  double gap = 0;                           ///< between the surfaces at the start [m]
 };
 
 /// Of the second particle relative to the first: displacement along x, at the contact along y and z [m], rotation
@@ -36,7 +36,8 @@ class HeldPair {
     two.outline = SpecimenShape::Outline::box;
     EngineSettings settings;
     settings.safety = setup.step;
-    simulation_ = std::make_unique<Simulation>(assemble(two, {density}, setup.dimension, setup.thickness), *law_, settings);
+    simulation_ =
+        std::make_unique<Simulation>(assemble(two, {density}, setup.dimension, setup.thickness), *law_, settings);
     const double touching = setup.radius_i + setup.radius_j;
     simulation_->bond({GapMeasure::absolute, setup.gap + (setup.bonded ? 1e-9 : -1e-3) * touching, std::nullopt});
     simulation_->prepare();
@@ -62,7 +63,8 @@ class HeldPair {
     for (int k = 0; k < n; ++k) {
       now_.normal += by.normal;
       const double distance = start() + now_.normal, half_gap = 0.5 * (distance - setup_.radius_i - setup_.radius_j);
-      const double share_i = -(setup_.radius_j + half_gap) / distance, share_j = (setup_.radius_i + half_gap) / distance;
+      const double share_i = -(setup_.radius_j + half_gap) / distance,
+                   share_j = (setup_.radius_i + half_gap) / distance;
       const Vec3 roll(0, by.shear_z / distance, -by.shear_y / distance), bend(0, by.bend_y, by.bend_z),
           twist(0.5 * by.twist, 0, 0);
       simulation_->hold(0, dof::all, Vec3::Zero(), (roll + share_i * bend - twist) / dt);

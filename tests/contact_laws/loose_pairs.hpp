@@ -15,8 +15,17 @@ struct LoosePairs {
 
   /// Bonded pairs of particles of 0.5 to 1.5 mm that touch, in any direction of space or of the plane z = 0.
   LoosePairs(std::unique_ptr<ContactLaw> its_law, std::size_t n, int dimension, bool in_plane, bool swapped = false)
-      : law(std::move(its_law)), radius(2 * n), mass(2 * n, 1e-4), position(2 * n), velocity(2 * n), spin(2 * n),
-        force(n), moment(n), rest(n), state(n, BondState::intact), history(law->columns().size(), std::vector<double>(n)) {
+      : law(std::move(its_law)),
+        radius(2 * n),
+        mass(2 * n, 1e-4),
+        position(2 * n),
+        velocity(2 * n),
+        spin(2 * n),
+        force(n),
+        moment(n),
+        rest(n),
+        state(n, BondState::intact),
+        history(law->columns().size(), std::vector<double>(n)) {
     std::mt19937_64 random(1);
     const auto uniform = [&] { return 2 * (double(random() >> 11) * 0x1p-53) - 1; };
     for (Index k = 0; k < n; ++k) {
@@ -39,12 +48,21 @@ struct LoosePairs {
     for (auto* sum : {&friction, &contact, &fracture}) sum->assign(chunks, 0);
     broke.assign(chunks, 0);
     batch.end = n;
-    batch.i = first.data(); batch.j = second.data();
-    batch.rest_length = rest.data(); batch.state = state.data(); batch.columns = columns.data();
-    batch.position = position.data(); batch.velocity = velocity.data(); batch.angular_velocity = spin.data();
-    batch.radius = radius.data(); batch.mass = mass.data();
-    batch.force = force.data(); batch.moment = moment.data();
-    batch.friction_work = friction.data(); batch.contact_work = contact.data(); batch.fracture_energy = fracture.data();
+    batch.i = first.data();
+    batch.j = second.data();
+    batch.rest_length = rest.data();
+    batch.state = state.data();
+    batch.columns = columns.data();
+    batch.position = position.data();
+    batch.velocity = velocity.data();
+    batch.angular_velocity = spin.data();
+    batch.radius = radius.data();
+    batch.mass = mass.data();
+    batch.force = force.data();
+    batch.moment = moment.data();
+    batch.friction_work = friction.data();
+    batch.contact_work = contact.data();
+    batch.fracture_energy = fracture.data();
     batch.chunk_broke = broke.data();
     batch.time_step = dt;
     law->initialise(batch);
@@ -82,7 +100,8 @@ struct LoosePairs {
   std::vector<std::uint8_t> broke;
 };
 
-template <class T> bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
+template <class T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 

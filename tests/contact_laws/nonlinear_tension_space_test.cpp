@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the law for spheres must have in common with that for discs, and what must not matter to either.
-#include <cmath>
-
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "contact_law/nonlinear_tension/exponential.hpp"
 #include "contact_laws/loose_pairs.hpp"
@@ -14,9 +14,16 @@ namespace {
 constexpr std::size_t pairs = 150;  // two chunks and a part of one
 
 std::unique_ptr<ContactLaw> net() {
-  return make_law({{"normal_stiffness", 30e6}, {"shear_stiffness_ratio", 0.5}, {"bending_ratio", 0.256},
-                   {"tensile_strain_limit", 4e-3}, {"tension_shape", 0.2}, {"bond_width", 0.8}, {"shear_strain_ratio", 1.5},
-                   {"shear_strain_cap_ratio", 10.0}, {"internal_friction_angle", 0.7}, {"friction_angle", 0.6}},
+  return make_law({{"normal_stiffness", 30e6},
+                   {"shear_stiffness_ratio", 0.5},
+                   {"bending_ratio", 0.256},
+                   {"tensile_strain_limit", 4e-3},
+                   {"tension_shape", 0.2},
+                   {"bond_width", 0.8},
+                   {"shear_strain_ratio", 1.5},
+                   {"shear_strain_cap_ratio", 10.0},
+                   {"internal_friction_angle", 0.7},
+                   {"friction_angle", 0.6}},
                   "nonlinear_tension");
 }
 
@@ -38,7 +45,8 @@ TEST(NonlinearTensionInSpace, SpheresMovedInAPlaneAreDiscsToTheLastBit) {
   EXPECT_TRUE(same_bits(discs.state, spheres.state));
   EXPECT_TRUE(same_bits(discs.fracture, spheres.fracture));
   EXPECT_TRUE(same_bits(discs.friction, spheres.friction));
-  for (std::size_t c = 0; c < discs.history.size(); ++c) EXPECT_TRUE(same_bits(discs.history[c], spheres.history[c])) << c;
+  for (std::size_t c = 0; c < discs.history.size(); ++c)
+    EXPECT_TRUE(same_bits(discs.history[c], spheres.history[c])) << c;
   for (const double torsion : spheres.history.back()) ASSERT_EQ(torsion, 0);
 }
 
@@ -96,7 +104,8 @@ TEST(NonlinearTensionInSpace, APairHasTheSameBitsWhereverItStandsInABatch) {
 TEST(NonlinearTensionInSpace, TheExponentialIsThatOfTheLibrary) {
   double worst = 0;
   for (int k = 0; k <= 2000000; ++k) {
-    const double z = k <= 1000000 ? k * 50e-6 : std::pow(10, -12 + 15 * (k - 1000000) * 1e-6);  // to 50; decades to 1000
+    const double z =
+        k <= 1000000 ? k * 50e-6 : std::pow(10, -12 + 15 * (k - 1000000) * 1e-6);  // to 50; decades to 1000
     const double known = std::expm1(-z);
     worst = std::max(worst, known == 0 ? 0 : std::abs(nonlinear_tension::decay(z) / known - 1));
   }

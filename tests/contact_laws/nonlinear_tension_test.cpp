@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every branch of the law along paths whose forces are worked out by hand. Particles of 1 mm that touch, d0 = 2 mm: 2 um
-// are a strain of 1e-3. k_n = 1 MN, k_s = 0.5 MN, k_m = 50 N m/rad; b e_n0 = 8e-4; the rim of the bond is at 0.8 mm, so
-// that a rotation strains it by 0.4 of itself. Forces in N, displacements in um, rotations in mrad.
+// Every branch of the law along paths whose forces are worked out by hand. Particles of 1 mm that touch, d0 = 2 mm: 2
+// um are a strain of 1e-3. k_n = 1 MN, k_s = 0.5 MN, k_m = 50 N m/rad; b e_n0 = 8e-4; the rim of the bond is at 0.8 mm,
+// so that a rotation strains it by 0.4 of itself. Forces in N, displacements in um, rotations in mrad.
 #include <numbers>
 
 #include "contact_law/nonlinear_tension/config.hpp"
@@ -13,15 +13,9 @@ namespace {
 constexpr double um = 1e-6, mrad = 1e-3, degree = std::numbers::pi / 180;
 
 Json config(const Json& changes = Json::object()) {
-  Json c = {{"normal_stiffness", 1e6},
-            {"shear_stiffness_ratio", 0.5},
-            {"bending_stiffness", 50.0},
-            {"tensile_strain_limit", 4e-3},
-            {"tension_shape", 0.2},
-            {"bond_width", 0.8},
-            {"shear_strain_ratio", 3.5},
-            {"shear_strain_cap_ratio", 10.0},
-            {"internal_friction_angle", 45 * degree},
+  Json c = {{"normal_stiffness", 1e6},      {"shear_stiffness_ratio", 0.5},   {"bending_stiffness", 50.0},
+            {"tensile_strain_limit", 4e-3}, {"tension_shape", 0.2},           {"bond_width", 0.8},
+            {"shear_strain_ratio", 3.5},    {"shear_strain_cap_ratio", 10.0}, {"internal_friction_angle", 45 * degree},
             {"friction_angle", 39 * degree}};
   for (const auto& [key, value] : changes.items()) {
     if (value.is_null()) c.erase(key);
@@ -49,9 +43,12 @@ class Pair : public HeldPair {
 constexpr double exact = 1e-6;  // N, of hundreds
 
 TEST(NonlinearTension, TheCurvesOfFigure2) {
-  const struct { double b, half, whole; } figure[] = {  // F_n/(k_n e_n0) = b (1 - exp(-e/(b e_n0))) at e_n0/2, e_n0
-      {0.05, 0.0499977300, 0.0499999999}, {0.1, 0.0993262053, 0.0999954600}, {0.2, 0.1835830003, 0.1986524106},
-      {0.5, 0.3160602794, 0.4323323584}, {1.0, 0.3934693403, 0.6321205588}, {1000, 0.4998750208, 0.9995001666}};
+  const struct {
+    double b, half, whole;
+  } figure[] = {// F_n/(k_n e_n0) = b (1 - exp(-e/(b e_n0))) at e_n0/2, e_n0
+                {0.05, 0.0499977300, 0.0499999999}, {0.1, 0.0993262053, 0.0999954600},
+                {0.2, 0.1835830003, 0.1986524106},  {0.5, 0.3160602794, 0.4323323584},
+                {1.0, 0.3934693403, 0.6321205588},  {1000, 0.4998750208, 0.9995001666}};
   for (const auto& f : figure) {
     Pair p(Json{{"tension_shape", f.b}});
     EXPECT_NEAR(p.to(4, 0).pull() / 4000, f.half, 1e-9) << f.b;
@@ -94,7 +91,8 @@ TEST(NonlinearTension, BendingStrainsTheRim) {
     EXPECT_EQ(q.moment().z(), 0);
     EXPECT_NEAR(q.pull(), l.normal < 0 ? 500 * l.normal : 0, exact) << "pressure stays";
   }
-  EXPECT_EQ(Pair(Json{{"bond_width", 0.0}}).to(0, 0, 1000).bond(), BondState::intact) << "beams on the axis do not stretch";
+  EXPECT_EQ(Pair(Json{{"bond_width", 0.0}}).to(0, 0, 1000).bond(), BondState::intact)
+      << "beams on the axis do not stretch";
 }
 
 TEST(NonlinearTension, TheSmallerParticleSetsTheWidth) {
@@ -105,8 +103,10 @@ TEST(NonlinearTension, TheSmallerParticleSetsTheWidth) {
 }
 
 TEST(NonlinearTension, TheShearCriterionOfFigure4) {
-  const struct { double strain, limit; } figure[] = {  // in 1e-3: 14 - e_n, at most 40, tension cut off at 4
-      {-30, 40}, {-26, 40}, {-25, 39}, {-20, 34}, {0, 14}, {2, 12}, {3.9, 10.1}};
+  const struct {
+    double strain, limit;
+  } figure[] = {// in 1e-3: 14 - e_n, at most 40, tension cut off at 4
+                {-30, 40}, {-26, 40}, {-25, 39}, {-20, 34}, {0, 14}, {2, 12}, {3.9, 10.1}};
   for (const auto& f : figure) {
     for (const double side : {1.0, -1.0}) {
       Pair p;
@@ -250,8 +250,9 @@ TEST(NonlinearTension, TheWorkIsInTheLedger) {
   for (int walk = 0; walk < 5; ++walk) {
     Pair p;
     for (int k = 0; k < 8; ++k)
-      p.go({10 * um * (uniform() - 0.5), 40 * um * uniform(), 40 * um * uniform(), 30 * mrad * uniform(), 3 * mrad * uniform(),
-            3 * mrad * uniform()}, 4000);
+      p.go({10 * um * (uniform() - 0.5), 40 * um * uniform(), 40 * um * uniform(), 30 * mrad * uniform(),
+            3 * mrad * uniform(), 3 * mrad * uniform()},
+           4000);
     EXPECT_FALSE(p.intact());
     EXPECT_LT(std::abs(p.unaccounted()), 1e-3 * (p.energy().fracture + p.energy().friction));
     fracture += p.energy().fracture;

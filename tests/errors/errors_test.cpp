@@ -50,9 +50,7 @@ TEST_P(ErrorText, IsAsExpected) {
     const Json config = read_config(content_of(with(".yaml")), GetParam() + ".yaml", fake::root(), fake::Plugins(),
                                     overrides, fake::rules);
     FAIL() << "no error; it was read as " << config.dump();
-  } catch (const ConfigError& error) {
-    got = std::string(error.what()) + "\n";
-  }
+  } catch (const ConfigError& error) { got = std::string(error.what()) + "\n"; }
   EXPECT_EQ(got, content_of(with(".expected")));
 }
 

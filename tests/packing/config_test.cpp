@@ -17,9 +17,7 @@ std::string refusal(const Json& config, int dimension = 3) {
   TestHost host;
   try {
     pack(config, host, 1, dimension);
-  } catch (const UserError& e) {
-    return e.what();
-  }
+  } catch (const UserError& e) { return e.what(); }
   return "accepted";
 }
 

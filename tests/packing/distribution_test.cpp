@@ -122,7 +122,7 @@ TEST(Distribution, EveryMistakeIsNamed) {
   c.distribution = Distribution::moments;
   c.kurtosis = -1;
   expect(c, "kurtosis needs skewness");
-  c.skewness = 2;   // kurtosis is never below skewness^2 - 2
+  c.skewness = 2;  // kurtosis is never below skewness^2 - 2
   expect(c, "no distribution of this kind");
   c = good;
   c.min = 1.7;

@@ -49,7 +49,7 @@ TEST(LeastSquares, StepSolvesTheDampedNormalEquations) {
           jacobian.col(width * i + k) = (residuals(up, set, s, form) - residuals(down, set, s, form)) / (2 * h);
         }
       Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
-      double centres = 0;   // the damping is relative to the mean diagonal over the centres
+      double centres = 0;  // the damping is relative to the mean diagonal over the centres
       for (int i = 0; i < n; ++i)
         for (int k = 0; k < 3; ++k) centres += normal(width * i + k, width * i + k) / (3 * n);
       const double damping = 0.03;
@@ -58,8 +58,7 @@ TEST(LeastSquares, StepSolvesTheDampedNormalEquations) {
 
       const auto step = LeastSquares(s, box, set, form, radii_free, 1).step(damping, 1e-12, 500);
       for (int i = 0; i < n; ++i)
-        for (int k = 0; k < 4; ++k)
-          EXPECT_NEAR(step[i][k], k < width ? expected[width * i + k] : 0.0, 1e-6);
+        for (int k = 0; k < 4; ++k) EXPECT_NEAR(step[i][k], k < width ? expected[width * i + k] : 0.0, 1e-6);
     }
 }
 

@@ -65,7 +65,8 @@ std::vector<Triangle> sphere(int times) {
 }
 
 Json filled(const std::filesystem::path& file, double unit) {
-  return {{"mesh", {{"file", file.string()}, {"length_unit", unit}}}, {"porosity", 0.5},
+  return {{"mesh", {{"file", file.string()}, {"length_unit", unit}}},
+          {"porosity", 0.5},
           {"radius", {{"distribution", "uniform"}, {"min", 0.4e-3}, {"max", 0.8e-3}}}};
 }
 
@@ -90,7 +91,7 @@ void expect_no_overlaps(const PackedParticles& p) {
 TEST(MeshPacking, ACubeIsFilledAndKept) {
   const test::Folder folder;
   TestHost host;
-  Json config = filled(folder.file("cube.stl", stl(cube())), 0.008);   // an edge of 8 mm
+  Json config = filled(folder.file("cube.stl", stl(cube())), 0.008);  // an edge of 8 mm
   const PackedParticles p = pack(config, host);
   EXPECT_NEAR(p.container_volume, 512e-9, 1e-12);
   EXPECT_NEAR(solid(p), 256e-9, 0.51 * solid(p) / double(p.radius.size()));
@@ -106,11 +107,13 @@ TEST(MeshPacking, ACubeIsFilledAndKept) {
 }
 
 TEST(MeshPacking, ASharpEdgedBodyKeepsThemToo) {
-  // Tetrahedron at the corner of the cube, edges along x, y, z: x + y + z <= 1 with angles of 54.7 degrees between faces.
+  // Tetrahedron at the corner of the cube, edges along x, y, z: x + y + z <= 1 with angles of 54.7 degrees between
+  // faces.
   const Vec3 o = Vec3::Zero(), x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
   const test::Folder folder;
   TestHost host;
-  const PackedParticles p = pack(filled(folder.file("t.stl", stl({{o, y, x}, {o, z, y}, {o, x, z}, {x, y, z}})), 0.015), host);
+  const PackedParticles p =
+      pack(filled(folder.file("t.stl", stl({{o, y, x}, {o, z, y}, {o, x, z}, {x, y, z}})), 0.015), host);
   EXPECT_NEAR(p.container_volume, std::pow(0.015, 3) / 6, 1e-12);
   for (std::size_t i = 0; i < p.radius.size(); ++i) {
     ASSERT_GE(p.position[i].minCoeff(), p.radius[i] * (1 - 1e-6));
@@ -124,7 +127,7 @@ TEST(MeshPacking, ASphereWithAMarginIsCutOutOfALargerOne) {
   TestHost host;
   Json config = filled(folder.file("sphere.stl", stl(sphere(3))), 0.005);
   const PackedParticles whole = pack(config, host);
-  for (std::size_t i = 0; i < whole.radius.size(); ++i)   // the facets lie inside the sphere
+  for (std::size_t i = 0; i < whole.radius.size(); ++i)  // the facets lie inside the sphere
     ASSERT_LE(whole.position[i].norm() + whole.radius[i], 0.005 * (1 + 1e-6));
   config["margin"] = 1e-3;
   const PackedParticles cut = pack(config, host);
@@ -135,7 +138,8 @@ TEST(MeshPacking, ASphereWithAMarginIsCutOutOfALargerOne) {
     farthest = std::max(farthest, cut.position[i].norm() + cut.radius[i]);
   }
   EXPECT_GT(farthest, 0.0052);
-  EXPECT_NEAR(cut.container_volume, 4 * std::numbers::pi / 3 * 125e-9, 0.03 * 523.6e-9);   // less what the facets cut off
+  EXPECT_NEAR(cut.container_volume, 4 * std::numbers::pi / 3 * 125e-9,
+              0.03 * 523.6e-9);  // less what the facets cut off
 }
 
 TEST(MeshPacking, MistakesAreNamed) {
@@ -152,7 +156,7 @@ TEST(MeshPacking, MistakesAreNamed) {
   EXPECT_NE(text.find("it holds no triangles"), std::string::npos) << text;
   text = refusal(filled(folder.file("cube.obj", "v 0 0 0\n"), 0.008));
   EXPECT_NE(text.find("from .stl or .vtp"), std::string::npos) << text;
-  Json j = filled(folder.file("cube.stl", stl(cube())), 0.0015);   // 1.5 mm: the largest, of 0.8 mm, does not fit
+  Json j = filled(folder.file("cube.stl", stl(cube())), 0.0015);  // 1.5 mm: the largest, of 0.8 mm, does not fit
   j.erase("porosity");
   j["particles"] = 1;
   j["radius"]["min"] = 0.79e-3;

@@ -71,7 +71,7 @@ TEST(Neighbours, WantTheWallsTheyAlmostTouch) {
   Spheres s;
   s.x = {Vec3(0, 0, 0.11), Vec3(0, 0, 0.21), Vec3(0.39, 0, 0.5)};  // a pair, its lower near the floor; one at a side
   s.r = {0.1, 0.01, 0.1};
-  s.x[1].z() = 0.11 + 0.11 * 1.15;                                 // the pair's relative gap: 0.15
+  s.x[1].z() = 0.11 + 0.11 * 1.15;  // the pair's relative gap: 0.15
   const NeighbourSet set = NeighbourFinder(box, 1).find(s, 1);
   EXPECT_EQ(set.tangent[0], 1u << 4);
   EXPECT_EQ(set.tangent[1], 0u);

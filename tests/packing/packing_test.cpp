@@ -87,7 +87,7 @@ TEST(Packing, LargeAndSmallSpheresAreMixed) {
   const PackedParticles p = pack(small_cylinder(), host);
   const std::size_t n = p.radius.size();
   const Vec3 middle(0, 0, 0.006);
-  for (int k = 0; k < 3; ++k) {   // no half holds the larger ones
+  for (int k = 0; k < 3; ++k) {  // no half holds the larger ones
     double sum[2] = {0, 0}, count[2] = {0, 0};
     for (std::size_t i = 0; i < n; ++i) {
       const int half = p.position[i][k] < middle[k] ? 0 : 1;
@@ -105,9 +105,15 @@ TEST(Packing, LargeAndSmallSpheresAreMixed) {
         if (i != j && (p.position[i] - p.position[j]).norm() < 1.15 * (p.radius[i] + p.radius[j]))
           f(p.radius[i], p.radius[j]);
   };
-  each([&](double a, double) { m += a; ++pairs; });
+  each([&](double a, double) {
+    m += a;
+    ++pairs;
+  });
   m /= pairs;
-  each([&](double a, double b) { both += (a - m) * (b - m); square += (a - m) * (a - m); });
+  each([&](double a, double b) {
+    both += (a - m) * (b - m);
+    square += (a - m) * (a - m);
+  });
   EXPECT_LT(std::abs(both / square), 0.15);
 }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "breccia/packing_tools/radius_distribution.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "breccia/error.hpp"
+#include "breccia/packing_tools/radius_distribution.hpp"
 
 namespace breccia::labra_onate {
 namespace {
@@ -30,9 +29,7 @@ void expect_moments(const RadiusLaw& law, std::size_t n, double tolerance) {
 TEST(Radii, NormalHasTheMomentsOfTheCutDistribution) {
   expect_moments({Distribution::normal, 0.675935e-3, 0.1346085e-3, 0.3122622e-3, 1.186122e-3}, 10225, 1e-9);
 }
-TEST(Radii, AStronglyCutNormalStillHasThem) {
-  expect_moments({Distribution::normal, 1.0, 0.3, 0.5, 1.6}, 3000, 1e-9);
-}
+TEST(Radii, AStronglyCutNormalStillHasThem) { expect_moments({Distribution::normal, 1.0, 0.3, 0.5, 1.6}, 3000, 1e-9); }
 TEST(Radii, LognormalHasThem) { expect_moments({Distribution::lognormal, 1.0, 0.3, 0.3, 3.0}, 3000, 1e-9); }
 TEST(Radii, OneHundredAreEnoughForThem) { expect_moments({Distribution::normal, 1.0, 0.2, 0.4, 1.8}, 100, 1e-9); }
 

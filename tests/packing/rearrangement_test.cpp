@@ -22,7 +22,8 @@ PackedParticles pack(const Json& config, Host& host, std::uint64_t seed = 1, int
 
 /// Radii of ratio 3, about 350 spheres at 45 % porosity.
 Json loose(Json container) {
-  return {{"container", std::move(container)}, {"porosity", 0.45},
+  return {{"container", std::move(container)},
+          {"porosity", 0.45},
           {"radius", {{"distribution", "uniform"}, {"min", 0.3e-3}, {"max", 0.9e-3}}}};
 }
 const Json cylinder = {{"shape", "cylinder"}, {"diameter", 0.010}, {"height", 0.008}};
@@ -47,7 +48,8 @@ Overlaps overlaps(const PackedParticles& p) {
 
 double solid(const PackedParticles& p, int dimension) {
   double sum = 0;
-  for (const double r : p.radius) sum += dimension == 2 ? std::numbers::pi * r * r : 4 * std::numbers::pi / 3 * r * r * r;
+  for (const double r : p.radius)
+    sum += dimension == 2 ? std::numbers::pi * r * r : 4 * std::numbers::pi / 3 * r * r * r;
   return sum;
 }
 
@@ -74,7 +76,7 @@ struct Case {
   const char* name;
   Json container;
   int dimension;
-  double measure;   // [m3], [m2]: by hand
+  double measure;  // [m3], [m2]: by hand
 };
 const Case cases[] = {
     {"cylinder", cylinder, 3, std::numbers::pi * 25e-6 * 0.008},
@@ -119,7 +121,7 @@ TEST(Rearrangement, RadiiAreTheQuantilesToTheLastBit) {
 }
 
 TEST(Rearrangement, SameBitsForAnyNumberOfThreadsOtherPlacesForAnotherSeed) {
-  Json dense = loose(cylinder);   // overlapping neighbours to the end, and drawn together
+  Json dense = loose(cylinder);  // overlapping neighbours to the end, and drawn together
   dense["porosity"] = 0.32;
   dense["overlap_tolerance"] = 0.5;
   dense["neighbours_per_particle"] = 8.0;
@@ -139,9 +141,10 @@ TEST(Rearrangement, ReportsTheOverlapsThatAreThere) {
   TestHost host;
   const PackedParticles p = pack(j, host);
   const Overlaps o = overlaps(p);
-  EXPECT_GT(o.largest, 0.02);   // 70 % solid is beyond random close packing
+  EXPECT_GT(o.largest, 0.02);  // 70 % solid is beyond random close packing
   EXPECT_NEAR(got(p, "max_overlap"), o.largest, 1e-12);
-  EXPECT_NEAR(got(p, "mean_overlap") * got(p, "contacts_per_particle") * 0.5 * double(p.radius.size()), o.sum, 1e-9 * o.sum);
+  EXPECT_NEAR(got(p, "mean_overlap") * got(p, "contacts_per_particle") * 0.5 * double(p.radius.size()), o.sum,
+              1e-9 * o.sum);
 }
 
 TEST(Rearrangement, TooDenseIsRefusedWithTheWayOut) {
@@ -208,8 +211,8 @@ TEST(Rearrangement, AMarginLeavesFlatEndsTouchedAndNoGapAlongTheSide) {
     plain_sides = std::max(plain_sides, rho);
     outer[1] += rho > 0.0047;
   }
-  // No centre of an uncut packing comes nearer to the wall than the smallest radius; cut, the outermost 0.3 mm hold their
-  // share of the cross-section, 11.6 %, give or take four standard deviations of a random number.
+  // No centre of an uncut packing comes nearer to the wall than the smallest radius; cut, the outermost 0.3 mm hold
+  // their share of the cross-section, 11.6 %, give or take four standard deviations of a random number.
   EXPECT_EQ(outer[1], 0);
   EXPECT_LT(plain_sides, 0.0047 + 1e-9);
   const double share = (25 - 4.7 * 4.7) / 25 * double(cut.radius.size());
@@ -252,10 +255,13 @@ TEST(Rearrangement, FewAndUnevenSpheresWork) {
   EXPECT_NEAR((pack(j, host).position[0] - Vec3(0, 0, 0.00525)).norm(), 0, 1e-12);
   j["particles"] = 450;
   j["radius"] = {{"distribution", "sieves"},
-                 {"sieves", {{{"size", 0.5e-3}, {"passing", 0.0}}, {{"size", 1e-3}, {"passing", 0.3}},
-                             {{"size", 4e-3}, {"passing", 0.3}}, {{"size", 5e-3}, {"passing", 1.0}}}}};
+                 {"sieves",
+                  {{{"size", 0.5e-3}, {"passing", 0.0}},
+                   {{"size", 1e-3}, {"passing", 0.3}},
+                   {{"size", 4e-3}, {"passing", 0.3}},
+                   {{"size", 5e-3}, {"passing", 1.0}}}}};
   const PackedParticles uneven = pack(j, host);
-  EXPECT_GT(uneven.radius.front(), 8 * uneven.radius.back());   // the largest come first
+  EXPECT_GT(uneven.radius.front(), 8 * uneven.radius.back());  // the largest come first
   EXPECT_LE(overlaps(uneven).largest, 1e-3);
 }
 

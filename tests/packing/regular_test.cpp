@@ -23,8 +23,8 @@ const double root2 = std::numbers::sqrt2, root3 = std::numbers::sqrt3;
 struct Kind {
   const char* name;
   int dimension, neighbours;
-  double porosity;   // 1 - pi/6, 1 - sqrt(3) pi/8, 1 - pi/sqrt(18) twice, 1 - pi/4, 1 - pi/sqrt(12)
-  Vec3 edge;         // of the orthogonal cell, in radii
+  double porosity;  // 1 - pi/6, 1 - sqrt(3) pi/8, 1 - pi/sqrt(18) twice, 1 - pi/4, 1 - pi/sqrt(12)
+  Vec3 edge;        // of the orthogonal cell, in radii
 };
 const Kind kinds[] = {{"sc", 3, 6, 0.476401, {2, 2, 2}},
                       {"bcc", 3, 8, 0.319825, Vec3::Constant(4 / root3)},
@@ -37,11 +37,12 @@ TEST(Regular, DistancesNeighboursAndPorosity) {
   for (const Kind& k : kinds)
     for (const double gap : {0.0, 0.05, -0.02}) {
       SCOPED_TRACE(std::string(k.name) + " with a gap of " + std::to_string(gap));
-      const double side = 23;   // in radii of 1
+      const double side = 23;  // in radii of 1
       Json size = {side, side};
       if (k.dimension == 3) size.push_back(side);
       const PackedParticles p = lattice(
-          {{"lattice", k.name}, {"container", {{"shape", "box"}, {"size", size}}}, {"radius", 1.0}, {"gap", gap}}, k.dimension);
+          {{"lattice", k.name}, {"container", {{"shape", "box"}, {"size", size}}}, {"radius", 1.0}, {"gap", gap}},
+          k.dimension);
       const double nearest = 2 * (1 + gap);
       const Vec3 middle = k.dimension == 2 ? Vec3(0, side / 2, 0) : Vec3(0, 0, side / 2);
       double closest = 1e9;
@@ -79,9 +80,10 @@ TEST(Regular, DistancesNeighboursAndPorosity) {
 TEST(Regular, CountsOfWholeCellsByHand) {
   const auto count = [](const Kind& kind, const std::vector<double>& cells) {
     std::vector<double> size;
-    for (std::size_t k = 0; k < cells.size(); ++k) size.push_back(2 + cells[k] * kind.edge[int(k)]);   // radius 1
+    for (std::size_t k = 0; k < cells.size(); ++k) size.push_back(2 + cells[k] * kind.edge[int(k)]);  // radius 1
     return lattice({{"lattice", kind.name}, {"container", {{"shape", "box"}, {"size", size}}}, {"radius", 1.0}},
-                   int(cells.size())).radius.size();
+                   int(cells.size()))
+        .radius.size();
   };
   EXPECT_EQ(count(kinds[0], {6, 6, 6}), 343u);
   EXPECT_EQ(count(kinds[1], {5, 5, 5}), 216u + 125u);
@@ -105,8 +107,11 @@ TEST(Regular, ABoxOfExactlyTenDiametersHoldsAThousand) {
 }
 
 TEST(Regular, EveryContainerHoldsWholeSpheresOnly) {
-  const PackedParticles cylinder = lattice(
-      {{"lattice", "hcp"}, {"container", {{"shape", "cylinder"}, {"diameter", 0.02}, {"height", 0.03}}}, {"radius", 1e-3}}, 3);
+  const PackedParticles cylinder =
+      lattice({{"lattice", "hcp"},
+               {"container", {{"shape", "cylinder"}, {"diameter", 0.02}, {"height", 0.03}}},
+               {"radius", 1e-3}},
+              3);
   bool on_axis = false;
   for (const Vec3& x : cylinder.position) {
     ASSERT_LE(std::hypot(x.x(), x.y()), 0.009 * (1 + 1e-9));
@@ -118,13 +123,13 @@ TEST(Regular, EveryContainerHoldsWholeSpheresOnly) {
   // The lattice fills a cylinder that is smaller by a radius all round with 74.05 %: 56 % of the whole one.
   EXPECT_NEAR(got(cylinder, "porosity"), 1 - 0.7405 * (9 * 9 * 28) / (10 * 10 * 30), 0.05);
 
-  const PackedParticles disc =
-      lattice({{"lattice", "hexagonal"}, {"container", {{"shape", "sphere"}, {"diameter", 0.006}}}, {"radius", 1e-3}}, 2);
-  EXPECT_EQ(disc.radius.size(), 7u);   // one and a ring of six, just fitting
+  const PackedParticles disc = lattice(
+      {{"lattice", "hexagonal"}, {"container", {{"shape", "sphere"}, {"diameter", 0.006}}}, {"radius", 1e-3}}, 2);
+  EXPECT_EQ(disc.radius.size(), 7u);  // one and a ring of six, just fitting
   EXPECT_NEAR(disc.container_volume, 0.5 * std::numbers::pi / 4 * 36e-6, 1e-15);
   const PackedParticles ball =
       lattice({{"lattice", "fcc"}, {"container", {{"shape", "sphere"}, {"diameter", 0.006}}}, {"radius", 1e-3}}, 3);
-  EXPECT_EQ(ball.radius.size(), 13u);   // one and its twelve neighbours, just fitting
+  EXPECT_EQ(ball.radius.size(), 13u);  // one and its twelve neighbours, just fitting
 }
 
 TEST(Regular, MistakesAreNamed) {

@@ -15,7 +15,7 @@ constexpr std::size_t bonds = 60809;
 
 struct Packed {
   PackedParticles particles;
-  NeighbourSet set;       // the 60809 closest pairs: its bonds
+  NeighbourSet set;  // the 60809 closest pairs: its bonds
 };
 
 const Packed& specimen() {
@@ -23,10 +23,15 @@ const Packed& specimen() {
     const Json config = {{"container", {{"shape", "cylinder"}, {"diameter", 0.023}, {"height", 0.046}}},
                          {"particles", 10225},
                          {"porosity", 0.23},
-                         {"radius", {{"distribution", "normal"}, {"mean", 0.6759350e-3},
-                                     {"standard_deviation", 0.1346085e-3}, {"min", 0.3122622e-3},
-                                     {"max", 1.1861220e-3}}},
-                         {"neighbours_per_particle", 2.0 * bonds / 10225}, {"max_iterations", 200}, {"tolerance", 1e-4}};
+                         {"radius",
+                          {{"distribution", "normal"},
+                           {"mean", 0.6759350e-3},
+                           {"standard_deviation", 0.1346085e-3},
+                           {"min", 0.3122622e-3},
+                           {"max", 1.1861220e-3}}},
+                         {"neighbours_per_particle", 2.0 * bonds / 10225},
+                         {"max_iterations", 200},
+                         {"tolerance", 1e-4}};
     TestHost host(2);
     Packed p{pack(config, host), {}};
     const Container box = Container::cylinder(0.023, 0.046);
@@ -36,7 +41,8 @@ const Packed& specimen() {
   return packed;
 }
 
-template <class F> double bond_mean(F&& f) {
+template <class F>
+double bond_mean(F&& f) {
   const Packed& p = specimen();
   double sum = 0;
   for (std::size_t i = 0; i < p.particles.radius.size(); ++i)

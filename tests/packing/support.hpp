@@ -11,9 +11,14 @@ namespace breccia::labra_onate {
 inline Json small_cylinder() {
   return Json{{"container", {{"shape", "cylinder"}, {"diameter", 0.010}, {"height", 0.012}}},
               {"porosity", 0.25},
-              {"radius", {{"distribution", "normal"}, {"mean", 0.6e-3}, {"standard_deviation", 0.12e-3},
-                          {"min", 0.3e-3}, {"max", 1.0e-3}}},
-              {"max_iterations", 200}, {"tolerance", 1e-4}};
+              {"radius",
+               {{"distribution", "normal"},
+                {"mean", 0.6e-3},
+                {"standard_deviation", 0.12e-3},
+                {"min", 0.3e-3},
+                {"max", 1.0e-3}}},
+              {"max_iterations", 200},
+              {"tolerance", 1e-4}};
 }
 
 inline Json small_box() {

@@ -16,7 +16,7 @@ namespace {
 
 using test::user_error;
 constexpr const char* plugin = BRECCIA_TANGENT_DISCS_PLUGIN;
-constexpr double exact = 1e-12;   // over the sum of the radii
+constexpr double exact = 1e-12;  // over the sum of the radii
 
 PackedParticles pack(const Json& config, Host& host, std::uint64_t seed = 1, int dimension = 2) {
   return test::make<Packing>(plugin, config)->generate({dimension, 0.5, seed}, host);
@@ -44,11 +44,11 @@ std::vector<double> walls(const Json& container, const Vec3& x) {
 }
 
 struct Found {
-  std::size_t tangent = 0, bonds = 0, at_walls = 0;   // pairs within 1e-12 and within 1e-3
+  std::size_t tangent = 0, bonds = 0, at_walls = 0;  // pairs within 1e-12 and within 1e-3
   double overlap = -1, out = -1, mean = 0, solid = 0;
-  double xx = 0, xy = 0;                              // fabric: means over the bonds of n_x n_x, n_x n_y
+  double xx = 0, xy = 0;  // fabric: means over the bonds of n_x n_x, n_x n_y
   double coordination = 0;
-  std::vector<int> touching;                          // of each disc, walls included
+  std::vector<int> touching;  // of each disc, walls included
 };
 
 Found look(const PackedParticles& p, const Json& config) {
@@ -111,7 +111,7 @@ bool has_room(const PackedParticles& p, const Json& config, double r) {
 struct Case {
   const char* name;
   Json config;
-  double measure;   // [m2]: by hand
+  double measure;  // [m2]: by hand
 };
 const Case cases[] = {
     {"rectangle", rectangle(0.02, 0.03), 6e-4},
@@ -142,7 +142,7 @@ TEST(TangentDiscs, TouchExactlyOverlapNowhereAndStayInside) {
       EXPECT_EQ(got(p, "particles"), double(p.radius.size()));
       EXPECT_NEAR(got(p, "porosity"), 1 - f.solid / c.measure, 1e-12);
       EXPECT_NEAR(got(p, "radius_mean"), f.mean, 1e-15);
-      EXPECT_LT(got(p, "max_overlap"), exact);   // of the pairs made to touch
+      EXPECT_LT(got(p, "max_overlap"), exact);  // of the pairs made to touch
       EXPECT_LT(got(p, "max_gap"), exact);
       EXPECT_GT(got(p, "max_gap") + got(p, "max_overlap"), 0);
       // Pairs may touch by chance as well: equal discs on a lattice do.
@@ -174,7 +174,7 @@ TEST(TangentDiscs, NoPlaceIsLeftForTheSmallestDisc) {
     const double min = c.config["radius_min"];
     PackedParticles p = pack(c.config);
     EXPECT_FALSE(has_room(p, c.config, min));
-    p.position.erase(p.position.begin() + std::ptrdiff_t(p.radius.size() / 2));   // the search does find room
+    p.position.erase(p.position.begin() + std::ptrdiff_t(p.radius.size() / 2));  // the search does find room
     p.radius.erase(p.radius.begin() + std::ptrdiff_t(p.radius.size() / 2));
     EXPECT_TRUE(has_room(p, c.config, min));
   }
@@ -231,13 +231,14 @@ TEST(TangentDiscs, WallsAreLinedWithoutHoles) {
     const PackedParticles p = pack(c.config);
     const double outline = c.config["container"]["shape"] == "sphere" ? std::numbers::pi * 0.025 : 0.1;
     EXPECT_GT(got(p, "tangencies_with_walls"), outline / (2 * 0.9e-3));
-    std::vector<double> along;   // the discs on the lower wall, or round the wall in radians
+    std::vector<double> along;  // the discs on the lower wall, or round the wall in radians
     const double radius = 0.0125;
     const bool disc = c.config["container"]["shape"] == "sphere";
     for (std::size_t i = 0; i < p.radius.size(); ++i) {
       const Vec3& x = p.position[i];
       const double d = disc ? radius - std::hypot(x.x(), x.y() - radius) : x.y();
-      if (std::abs(d / p.radius[i] - 1) < exact) along.push_back(disc ? radius * std::atan2(x.y() - radius, x.x()) : x.x());
+      if (std::abs(d / p.radius[i] - 1) < exact)
+        along.push_back(disc ? radius * std::atan2(x.y() - radius, x.x()) : x.x());
     }
     std::sort(along.begin(), along.end());
     for (std::size_t k = 1; k < along.size(); ++k) EXPECT_LT(along[k] - along[k - 1], 2.2 * 0.9e-3);
@@ -308,7 +309,8 @@ TEST(TangentDiscs, MistakesAreNamed) {
   EXPECT_EQ(findings(rectangle(0.05, 5)), "radius_min: is less than 1/10000 of the container: use larger radii\n");
   Json j = rectangle(0.05, 0.05);
   j["container"] = {{"shape", "cylinder"}, {"diameter", 0.05}, {"height", 0.1}};
-  EXPECT_NE(findings(j).find("container: a cylinder cannot be packed in two dimensions"), std::string::npos) << findings(j);
+  EXPECT_NE(findings(j).find("container: a cylinder cannot be packed in two dimensions"), std::string::npos)
+      << findings(j);
   TestHost host;
   EXPECT_EQ(user_error([&] { pack(rectangle(0.05, 0.05), host, 1, 3); }),
             "packing `tangent_discs` makes discs: it needs `dimension: 2`");

@@ -58,12 +58,11 @@ inline std::string built(const std::string& target) { return read(fs::path(BRECC
 #endif
 
 /// The text of the UserError that `f` throws; another outcome fails the test.
-template <class F> std::string refusal(F&& f) {
+template <class F>
+std::string refusal(F&& f) {
   try {
     f();
-  } catch (const UserError& e) {
-    return e.what();
-  } catch (const std::exception& e) {
+  } catch (const UserError& e) { return e.what(); } catch (const std::exception& e) {
     ADD_FAILURE() << "not a UserError: " << e.what();
     return {};
   }

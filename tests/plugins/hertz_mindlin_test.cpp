@@ -13,10 +13,9 @@ static constexpr double youngs = 50e9, poisson = 0.25, friction = 0.3;
 static std::unique_ptr<ContactLaw> make_law() {
   Registry registry((std::vector<PluginFolder>()));
   registry.add(fs::path(BRECCIA_FIXTURES) / "example_law.so");
-  return registry.create<ContactLaw>({"hertz_mindlin", {{"youngs_modulus", youngs},
-                                                        {"poisson_ratio", poisson},
-                                                        {"friction", friction},
-                                                        {"design_overlap", 0.01}}});
+  return registry.create<ContactLaw>(
+      {"hertz_mindlin",
+       {{"youngs_modulus", youngs}, {"poisson_ratio", poisson}, {"friction", friction}, {"design_overlap", 0.01}}});
 }
 
 class HertzMindlin : public ::testing::Test, protected PairRig {

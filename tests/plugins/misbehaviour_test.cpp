@@ -55,7 +55,9 @@ TEST_F(Misbehaviour, AFailureOnceIsNotAFailureForEver) {
 TEST_F(Misbehaviour, AConstructorsOwnUserErrorStaysReadable) {
   write(folder / "breccia_packing.tiny.so", built("tiny_packing"));
   const Registry registry({{folder.path(), ""}});
-  EXPECT_EQ(refusal([&] { registry.create<Packing>({"tiny", {{"size", 101}}}); }),
+  EXPECT_EQ(refusal([&] {
+              registry.create<Packing>({"tiny", {{"size", 101}}});
+            }),
             "packing `tiny`: size 100 m is the most");
   EXPECT_THROW(registry.create<Packing>({"tiny", {{"size", 13}}}), Unavailable);  // not the user's mistake
 }

@@ -22,7 +22,8 @@ static fs::path build_example(const Folder& folder, const fs::path& package) {
   fs::copy(example, source, fs::copy_options::recursive);
   const std::string cmake = "'" BRECCIA_CMAKE "'";
   run(cmake + " -S '" + source.string() + "' -B '" + build.string() + "' -G '" BRECCIA_GENERATOR "'" +
-          " -DCMAKE_CXX_COMPILER='" BRECCIA_CXX_COMPILER "' -DCMAKE_PREFIX_PATH='" + package.string() + "'", log);
+          " -DCMAKE_CXX_COMPILER='" BRECCIA_CXX_COMPILER "' -DCMAKE_PREFIX_PATH='" + package.string() + "'",
+      log);
   run(cmake + " --build '" + build.string() + "'", log);
   return build;
 }
@@ -41,10 +42,8 @@ TEST_P(Outside, BuildsAndLoads) {
   const Environment path("BRECCIA_PLUGIN_PATH", lies.string());
   const Registry registry;
   EXPECT_EQ(registry.info("contact_law", "hertz_mindlin").version, "1.0");
-  PairRig rig(registry.create<ContactLaw>({"hertz_mindlin", {{"youngs_modulus", 1e9},
-                                                             {"poisson_ratio", 0},
-                                                             {"friction", 0.5},
-                                                             {"design_overlap", 0.01}}}));
+  PairRig rig(registry.create<ContactLaw>(
+      {"hertz_mindlin", {{"youngs_modulus", 1e9}, {"poisson_ratio", 0}, {"friction", 0.5}, {"design_overlap", 0.01}}}));
   rig.step(1e-6, 0);
   // Hertz with E* = E/2 and R* = 1.2 mm: 4/3 E* sqrt(R*) u^(3/2).
   EXPECT_NEAR(rig.force.fx, -4.0 / 3.0 * 0.5e9 * std::sqrt(1.2e-3) * 1e-9, 1e-9 * -rig.force.fx);

@@ -16,12 +16,20 @@ struct PairRig {
   explicit PairRig(std::unique_ptr<ContactLaw> its_law) : law(std::move(its_law)) {
     for (std::size_t k = 0; k < columns.size(); ++k) columns[k] = &history[k];
     batch.end = 1;
-    batch.i = &first; batch.j = &second;
-    batch.rest_length = &rest; batch.state = &state; batch.columns = columns.data();
-    batch.position = position; batch.velocity = velocity; batch.angular_velocity = spin;
-    batch.radius = radius; batch.mass = mass;
+    batch.i = &first;
+    batch.j = &second;
+    batch.rest_length = &rest;
+    batch.state = &state;
+    batch.columns = columns.data();
+    batch.position = position;
+    batch.velocity = velocity;
+    batch.angular_velocity = spin;
+    batch.radius = radius;
+    batch.mass = mass;
     batch.force = &force;
-    batch.friction_work = &friction_work; batch.contact_work = &contact_work; batch.fracture_energy = &fracture;
+    batch.friction_work = &friction_work;
+    batch.contact_work = &contact_work;
+    batch.fracture_energy = &fracture;
     batch.chunk_broke = &broke;
     batch.time_step = dt;
     law->prepare({});
@@ -46,7 +54,7 @@ struct PairRig {
   BondState state = BondState::unbonded;
   Vec3 position[2] = {Vec3::Zero(), Vec3::Zero()}, velocity[2] = {Vec3::Zero(), Vec3::Zero()};
   Vec3 spin[2] = {Vec3::Zero(), Vec3::Zero()};
-  PairForce force;   ///< on sphere 1
+  PairForce force;  ///< on sphere 1
   std::uint8_t broke = 0;
 };
 

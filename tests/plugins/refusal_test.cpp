@@ -52,8 +52,9 @@ class Refusal : public ::testing::Test {
 
 TEST_F(Refusal, TheTelltaleTells) {  // or all the others could not fail
   write(folder / "breccia_contact_law.telltale.so", built("telltale"));
-  EXPECT_EQ(of_law("telltale"), "contact_law `telltale` gave no factory (plugin FILE): a fault of the plugin, tell its "
-                                "author");
+  EXPECT_EQ(of_law("telltale"),
+            "contact_law `telltale` gave no factory (plugin FILE): a fault of the plugin, tell its "
+            "author");
   EXPECT_STREQ(std::getenv(ran), "yes");
 }
 
@@ -73,8 +74,9 @@ TEST_F(Refusal, InspectionReadsPackedRelocations) {
 #endif
 
 TEST_F(Refusal, WrongMagic) {
-  const std::string text = " has a `breccia_plugin` that is not a Breccia descriptor: declare the plugin with "
-                           "BRECCIA_PLUGIN or BRECCIA_CONTACT_LAW";
+  const std::string text =
+      " has a `breccia_plugin` that is not a Breccia descriptor: declare the plugin with "
+      "BRECCIA_PLUGIN or BRECCIA_CONTACT_LAW";
   EXPECT_EQ(of(with_number(0, 0x44414221)), "plugin FILE" + text);
   EXPECT_EQ(of(built("small_symbol")), "plugin FILE" + text);
 }
@@ -97,15 +99,13 @@ TEST_F(Refusal, WrongCompiler) {
 
 TEST_F(Refusal, WrongStandardLibrary) {
   EXPECT_EQ(of(with_text(BRECCIA_STDLIB_ABI, "libother-1")),
-            "plugin FILE has the standard library `libother-1`, this program needs `" BRECCIA_STDLIB_ABI "`" +
-                rebuild);
+            "plugin FILE has the standard library `libother-1`, this program needs `" BRECCIA_STDLIB_ABI "`" + rebuild);
 }
 
 TEST_F(Refusal, WrongSizesOfSharedTypes) {
   using D = BrecciaPluginDescriptor;
   const auto expected = [&](const std::string& type, std::size_t needed) {
-    return "plugin FILE has " + type + " of 7 bytes, this program needs " +
-           std::to_string(needed) + " bytes" + rebuild;
+    return "plugin FILE has " + type + " of 7 bytes, this program needs " + std::to_string(needed) + " bytes" + rebuild;
   };
   std::string text = of(with_number(offsetof(D, size_of_json), 7));
   EXPECT_EQ(text, expected("JSON values", sizeof(Json)));
@@ -125,8 +125,9 @@ TEST_F(Refusal, UnknownKind) {
 
 TEST_F(Refusal, NoNameAndNoFactory) {
   EXPECT_EQ(of(with_text("telltale", "")), "plugin FILE has no name in its descriptor");
-  EXPECT_EQ(of(built("no_factory")), "plugin FILE has no factory in its descriptor: declare the plugin with "
-                                     "BRECCIA_PLUGIN or BRECCIA_CONTACT_LAW");
+  EXPECT_EQ(of(built("no_factory")),
+            "plugin FILE has no factory in its descriptor: declare the plugin with "
+            "BRECCIA_PLUGIN or BRECCIA_CONTACT_LAW");
 }
 
 TEST_F(Refusal, AFileNameThatSaysSomethingElse) {
@@ -172,7 +173,8 @@ TEST_F(Refusal, AFileCutShortAnywhere) {
                                    size / 2, 3 * size / 4, size - 4096, size - 64, size - 1}) {
     const std::string text = of(whole.substr(0, length));
     EXPECT_NE(text.find("FILE is incomplete: it has " + std::to_string(length) + " bytes and its own headers need "),
-              std::string::npos) << text;
+              std::string::npos)
+        << text;
   }
 }
 
@@ -190,8 +192,7 @@ TEST_F(Refusal, DamagedHeadersNeverCrash) {
       bytes[at] = value;
       try {
         inspect_plugin(write(folder / "damaged.so", bytes));
-      } catch (const UserError&) {
-      }
+      } catch (const UserError&) {}
     }
   EXPECT_EQ(std::getenv(ran), nullptr);
 }

@@ -25,8 +25,8 @@ class RegistryTest : public ::testing::Test {
 
 TEST_F(RegistryTest, FindsEveryKindByFileName) {
   const Registry registry({{folder.path(), ""}});
-  EXPECT_EQ(registry.kinds(), (std::vector<std::string>{"packing", "contact_law", "protocol", "postprocessor", "output",
-                                                        "renderer"}));
+  EXPECT_EQ(registry.kinds(),
+            (std::vector<std::string>{"packing", "contact_law", "protocol", "postprocessor", "output", "renderer"}));
   for (const std::string& kind : registry.kinds()) EXPECT_EQ(registry.names(kind), std::vector<std::string>{"tiny"});
   EXPECT_TRUE(registry.warnings().empty());
   EXPECT_TRUE(registry.problems().empty());
@@ -96,11 +96,14 @@ TEST_F(RegistryTest, AnUnknownNameGetsASuggestionTheKnownOnesAndThePlaces) {
   const Registry registry({{folder.path(), ""}, {"/nowhere/breccia", ""}});
   EXPECT_EQ(refusal([&] { registry.documentation("contact_law", "elastic_britle"); }),
             "no contact_law named `elastic_britle`; did you mean `elastic_brittle`? known: elastic_brittle, tiny; "
-            "searched: " + folder.path().string() + ", /nowhere/breccia");
+            "searched: " +
+                folder.path().string() + ", /nowhere/breccia");
   EXPECT_EQ(refusal([&] { registry.info("packing", "quite_something_else"); }),
             "no packing named `quite_something_else`; known: tiny; searched: " + folder.path().string() +
                 ", /nowhere/breccia");
-  EXPECT_EQ(refusal([] { Registry(std::vector<PluginFolder>{}).create<Output>({"vtk", {}}); }),
+  EXPECT_EQ(refusal([] {
+              Registry(std::vector<PluginFolder>{}).create<Output>({"vtk", {}});
+            }),
             "no output named `vtk`; known: none; searched: no folder");
 }
 

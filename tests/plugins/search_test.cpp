@@ -64,9 +64,9 @@ TEST(Search, WhatIsAddedMustBeThere) {
   Registry registry(nowhere);
   EXPECT_EQ(refusal([&] { registry.add(folder / "none.so"); }),
             "plugin " + (folder / "none.so").string() + " cannot be read: there is no such file");
-  EXPECT_EQ(refusal([&] { registry.add(folder.path()); }),
-            "the folder " + folder.path().string() +
-                " holds no plugin: plugins are files named breccia_<kind>.<name>.so");
+  EXPECT_EQ(
+      refusal([&] { registry.add(folder.path()); }),
+      "the folder " + folder.path().string() + " holds no plugin: plugins are files named breccia_<kind>.<name>.so");
 }
 
 TEST(Search, AMisnamedPluginInAFolderIsNotLoadedButPointedOut) {

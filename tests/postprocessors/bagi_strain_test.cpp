@@ -98,8 +98,7 @@ TEST(BagiStrain, OfUnevenDisplacementIsTheBoundaryFlux) {
   EXPECT_NEAR(p.curves.last("lateral_strain"), 0, 1e-12);
   // Around a particle of layer k the slope is that between layers k - 1 and k + 1, and so about -z.
   const auto local = p.field(s.view(), "axial_strain_local");
-  for (std::size_t k = 0; k < local.size(); ++k)
-    EXPECT_NEAR(local[k], s.reference[k].z(), 0.5e-3 + 1e-12);
+  for (std::size_t k = 0; k < local.size(); ++k) EXPECT_NEAR(local[k], s.reference[k].z(), 0.5e-3 + 1e-12);
 }
 
 TEST(BagiStrain, CountsFromTheStartOfLoading) {

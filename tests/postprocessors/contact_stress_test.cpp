@@ -15,7 +15,8 @@ constexpr double pi = std::numbers::pi;
 FakeSimulation cross(double load, double pull) {
   FakeSimulation s;
   s.specimen.volume = 1;
-  const Index a = s.add_particle(Vec3::Zero(), 0.5), b = s.add_particle(Vec3(0, 0, 1), 0.4), c = s.add_particle(Vec3(2, 0, 0), 0.1);
+  const Index a = s.add_particle(Vec3::Zero(), 0.5), b = s.add_particle(Vec3(0, 0, 1), 0.4),
+              c = s.add_particle(Vec3(2, 0, 0), 0.1);
   s.add_bond(a, b, Vec3(0, 0, -load));
   s.add_bond(a, c, Vec3(pull, 0, 0));
   return s;
@@ -80,8 +81,8 @@ TEST(ContactStress, SharesOfThePeakAreFoundAfterwardsOnTheFirstWayUp) {
     p.sample(s.view());
   };
   for (double f = 0.1; f <= 8; f *= 1.01) load(f);
-  for (double f = 8; f >= 1; f *= 0.99) load(f);   // unloading
-  s.break_bond(1, BondState::broken_tension);      // would show if a later passage counted
+  for (double f = 8; f >= 1; f *= 0.99) load(f);  // unloading
+  s.break_bond(1, BondState::broken_tension);     // would show if a later passage counted
   for (double f = 1; f <= 10; f *= 1.01) load(f);
   load(10);
   load(4);

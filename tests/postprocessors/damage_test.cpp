@@ -27,7 +27,10 @@ std::vector<Index> labels(const FakeSimulation& s) {
     for (std::size_t b = 0; b < s.bond_i.size(); ++b) {
       if (s.bond_state[b] != BondState::intact) continue;
       Index &x = label[s.bond_i[b]], &y = label[s.bond_j[b]];
-      if (x != y) { x = y = std::min(x, y); changed = true; }
+      if (x != y) {
+        x = y = std::min(x, y);
+        changed = true;
+      }
     }
   }
   return label;

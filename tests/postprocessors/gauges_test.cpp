@@ -25,7 +25,8 @@ FakeSimulation strewn(int dimension, int axis) {
   return s;
 }
 void deform(FakeSimulation& s, const Mat3& gradient, const Vec3& shift) {
-  for (std::size_t k = 0; k < s.position.size(); ++k) s.position[k] = s.reference[k] + gradient * s.reference[k] + shift;
+  for (std::size_t k = 0; k < s.position.size(); ++k)
+    s.position[k] = s.reference[k] + gradient * s.reference[k] + shift;
 }
 
 TEST(Gauges, ExactInAFieldWithoutShear) {

@@ -158,9 +158,7 @@ TEST(Triangulation, RefusesWhatSpansNothing) {
   try {
     triangulate(3, few.centre, few.radius);
     FAIL();
-  } catch (const UserError& e) {
-    EXPECT_NE(std::string(e.what()).find("3 particles"), std::string::npos) << e.what();
-  }
+  } catch (const UserError& e) { EXPECT_NE(std::string(e.what()).find("3 particles"), std::string::npos) << e.what(); }
   EXPECT_THROW(triangulate(3, std::vector<Vec3>(20, Vec3(1, 2, 3)), std::vector<double>(20, 0.1)), UserError);
 }
 

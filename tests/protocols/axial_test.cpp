@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triaxial, oedometric and cyclic compression: pressures are what was asked for, as measured from the particles; results do
-// not depend on the threads, on how a test is cut into stages, or on the axis.
+// Triaxial, oedometric and cyclic compression: pressures are what was asked for, as measured from the particles;
+// results do not depend on the threads, on how a test is cut into stages, or on the axis.
 #include <cstring>
 
 #include "protocols/protocol_run.hpp"
@@ -20,7 +20,8 @@ Json triaxial(const Json& changes) {
 
 TEST(Triaxial, ConfinesABlockHydrostaticallyAsMeasuredFromItsParticles) {
   const PackedParticles lattice = simple_cubic(6, 5, 8, 1e-3);
-  ProtocolRun run(lattice, strong(), "elastic_brittle", 1e-6, "triaxial_compression", triaxial({{"stages", {{{"confining_pressure", 20e6}}, {{"hold_time", 20e-6}}}}}));
+  ProtocolRun run(lattice, strong(), "elastic_brittle", 1e-6, "triaxial_compression",
+                  triaxial({{"stages", {{{"confining_pressure", 20e6}}, {{"hold_time", 20e-6}}}}}));
   run.go(200000);
   const Mat3 stress = mean_stress(run.simulation());
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(stress(k, k), -20e6, 0.01 * 20e6) << k;
@@ -29,7 +30,8 @@ TEST(Triaxial, ConfinesABlockHydrostaticallyAsMeasuredFromItsParticles) {
 }
 
 TEST(Triaxial, HoldsThePressureWhileAnIrregularBlockIsLoaded) {
-  ProtocolRun run(block(), strong(), "elastic_brittle", 0.2, "triaxial_compression", triaxial({{"confining_pressure", 10e6}, {"max_strain", 0.002}}));
+  ProtocolRun run(block(), strong(), "elastic_brittle", 0.2, "triaxial_compression",
+                  triaxial({{"confining_pressure", 10e6}, {"max_strain", 0.002}}));
   double most = 0, least = 1e300;
   run.go(200000, [&](Simulation& sim) {
     if (run.rows.last("stage") < 1) return;
@@ -38,7 +40,8 @@ TEST(Triaxial, HoldsThePressureWhileAnIrregularBlockIsLoaded) {
     most = std::max(most, lateral);
     least = std::min(least, lateral);
   });
-  // The surface is rougher than the box that the volume is measured by: the mean lies a few per cent below the pressure.
+  // The surface is rougher than the box that the volume is measured by: the mean lies a few per cent below the
+  // pressure.
   EXPECT_LT(most, 1.03 * 10e6);
   EXPECT_GT(least, 0.9 * 10e6);
   EXPECT_GT(run.rows.last("deviatoric_platen_stress"), 4e6);
@@ -55,13 +58,18 @@ TEST(Triaxial, DiscAreasAddUpToWhatTheSurfaceParticlesCover) {
   EXPECT_NEAR(run.rows.last("confining_pressure_applied"), std::numbers::pi / 4 * before / now * 20e6, 1e-9 * 20e6);
 }
 
-template <class T> bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
+template <class T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
 TEST(Triaxial, DoesNotDependOnTheCutIntoStagesNorOnThreads) {
   const Json whole = triaxial({{"stages", {{{"confining_pressure", 5e6}}, {{"axial_strain", 0.03}}}}});
-  const Json cut = triaxial({{"stages", {{{"confining_pressure", 5e6}}, {{"axial_strain", 0.004}}, {{"axial_strain", 0.011}}, {{"axial_strain", 0.03}}}}});
+  const Json cut = triaxial({{"stages",
+                              {{{"confining_pressure", 5e6}},
+                               {{"axial_strain", 0.004}},
+                               {{"axial_strain", 0.011}},
+                               {{"axial_strain", 0.03}}}}});
   ProtocolRun one(block(), elastic_brittle(), "elastic_brittle", 0.2, "triaxial_compression", whole);
   one.go(300000);
   const Particles& p = one.simulation().state().particles;
@@ -69,7 +77,8 @@ TEST(Triaxial, DoesNotDependOnTheCutIntoStagesNorOnThreads) {
   for (const BondState s : one.simulation().state().bonds.state) broken += is_broken(s);
   ASSERT_GT(broken, 20u) << "the test must break something";
   for (const int threads : {1, 3}) {
-    ProtocolRun other(block(), elastic_brittle(), "elastic_brittle", 0.2, "triaxial_compression", threads == 1 ? cut : whole, 3, threads);
+    ProtocolRun other(block(), elastic_brittle(), "elastic_brittle", 0.2, "triaxial_compression",
+                      threads == 1 ? cut : whole, 3, threads);
     other.go(300000);
     EXPECT_TRUE(same_bits(p.position, other.simulation().state().particles.position)) << threads;
     EXPECT_TRUE(same_bits(p.velocity, other.simulation().state().particles.velocity)) << threads;
@@ -81,14 +90,17 @@ TEST(Triaxial, ALatticeIsAsStiffAlongEachAxis) {
     ProtocolRun run(simple_cubic(6, 6, 6, 1e-3), strong(), "elastic_brittle", 1e-6, "triaxial_compression",
                     triaxial({{"axis", axis}, {"confining_pressure", 2e6}, {"max_strain", 0.001}}));
     run.go(200000);
-    // E = E_c = 10 GPa exactly in a simple cubic lattice; the platens' springs are twice as stiff as a bond and half as long.
+    // E = E_c = 10 GPa exactly in a simple cubic lattice; the platens' springs are twice as stiff as a bond and half as
+    // long.
     EXPECT_NEAR(run.rows.last("deviatoric_platen_stress") / run.rows.last("platen_strain"), 10e9, 0.02 * 10e9) << axis;
   }
 }
 
 TEST(Cycles, UnloadWithTheSlopeOfLoadingWhileElastic) {
-  const Json stages = {{{"axial_strain", 0.002}}, {{"axial_stress", 2e6}}, {{"axial_strain", 0.003}}, {{"axial_stress", 5e6}}};
-  ProtocolRun run(simple_cubic(5, 5, 8, 1e-3), strong(), "elastic_brittle", 1e-6, "uniaxial_compression", {{"platen_velocity", 0.3}, {"stages", stages}});
+  const Json stages = {
+      {{"axial_strain", 0.002}}, {{"axial_stress", 2e6}}, {{"axial_strain", 0.003}}, {{"axial_stress", 5e6}}};
+  ProtocolRun run(simple_cubic(5, 5, 8, 1e-3), strong(), "elastic_brittle", 1e-6, "uniaxial_compression",
+                  {{"platen_velocity", 0.3}, {"stages", stages}});
   run.go(200000);
   const auto ends = run.summary.at("stages");
   ASSERT_EQ(ends.size(), 4u);
@@ -102,19 +114,35 @@ TEST(Cycles, UnloadWithTheSlopeOfLoadingWhileElastic) {
 }
 
 TEST(Cycles, PlasticBondsUnloadStifferThanTheyYield) {
-  const Json law = {{"youngs_modulus", 10e9}, {"poisson_ratio", 0.2}, {"area_factor", 1.0}, {"contact_damping", 0.5}, {"tensile_strength", 1e12},
-                    {"shear_strength", 1e12}, {"internal_friction", 0.5}, {"friction", 0.5}, {"softening_tension", 0.2}, {"softening_shear", 0.2},
-                    {"failure", "uncoupled"}, {"compressive_limits", {20e6, 40e6, 60e6}}, {"compressive_slope_ratios", {5, 5, 5}}};
+  const Json law = {{"youngs_modulus", 10e9},
+                    {"poisson_ratio", 0.2},
+                    {"area_factor", 1.0},
+                    {"contact_damping", 0.5},
+                    {"tensile_strength", 1e12},
+                    {"shear_strength", 1e12},
+                    {"internal_friction", 0.5},
+                    {"friction", 0.5},
+                    {"softening_tension", 0.2},
+                    {"softening_shear", 0.2},
+                    {"failure", "uncoupled"},
+                    {"compressive_limits", {20e6, 40e6, 60e6}},
+                    {"compressive_slope_ratios", {5, 5, 5}}};
   const Json stages = {{{"axial_strain", 0.008}}, {{"axial_strain", 0.007}}};
-  ProtocolRun run(simple_cubic(5, 5, 8, 1e-3), law, "elasto_damage_plastic", 1e-6, "uniaxial_compression", {{"platen_velocity", 0.3}, {"stages", stages}});
+  ProtocolRun run(simple_cubic(5, 5, 8, 1e-3), law, "elasto_damage_plastic", 1e-6, "uniaxial_compression",
+                  {{"platen_velocity", 0.3}, {"stages", stages}});
   run.go(200000);
-  const auto stress = run.rows.column("platen_stress"), strain = run.rows.column("platen_strain"), stage = run.rows.column("stage");
+  const auto stress = run.rows.column("platen_stress"), strain = run.rows.column("platen_strain"),
+             stage = run.rows.column("stage");
   const auto slope = [&](double of, double from, double to) {
     double s0 = 0, e0 = 0, s1 = 0, e1 = 0;
     bool begun = false;
     for (std::size_t k = 0; k < strain.size(); ++k) {
       if (stage[k] != of || strain[k] < std::min(from, to) || strain[k] > std::max(from, to)) continue;
-      if (!begun) { s0 = stress[k]; e0 = strain[k]; begun = true; }
+      if (!begun) {
+        s0 = stress[k];
+        e0 = strain[k];
+        begun = true;
+      }
       s1 = stress[k];
       e1 = strain[k];
     }
@@ -138,22 +166,26 @@ TEST(Oedometer, LetsNothingOutAndMeasuresThePressureOfItsCell) {
       inside.outline = SpecimenShape::Outline::cylinder;
       p = inside;
     }
-    ProtocolRun run(p, strong(), "elastic_brittle", 0.25, "uniaxial_strain_compression", {{"platen_velocity", 0.5}, {"max_strain", 0.004}, {"cell_stiffness", 1e9}});
+    ProtocolRun run(p, strong(), "elastic_brittle", 0.25, "uniaxial_strain_compression",
+                    {{"platen_velocity", 0.5}, {"max_strain", 0.004}, {"cell_stiffness", 1e9}});
     run.go(300000);
     const double axial = run.rows.last("platen_stress"), cell = run.rows.last("confining_pressure_applied");
     EXPECT_GT(cell, 0.005 * axial) << round;
     EXPECT_LT(cell, 0.6 * axial) << round;
     const Mat3 s = mean_stress(run.simulation());
-    EXPECT_NEAR(-0.5 * (s(0, 0) + s(1, 1)), cell, 0.15 * cell) << round << ": only the outermost particles reach the cell";
+    EXPECT_NEAR(-0.5 * (s(0, 0) + s(1, 1)), cell, 0.15 * cell)
+        << round << ": only the outermost particles reach the cell";
     double farthest = 0;
     const Particles& q = run.simulation().state().particles;
-    for (Index k = 0; k < q.size(); ++k) farthest = std::max(farthest, std::hypot(q.position[k].x() - 6e-3, q.position[k].y() - 6e-3) + q.radius[k]);
+    for (Index k = 0; k < q.size(); ++k)
+      farthest = std::max(farthest, std::hypot(q.position[k].x() - 6e-3, q.position[k].y() - 6e-3) + q.radius[k]);
     if (round) { EXPECT_LT(farthest, 5.9e-3 * 1.001); }
   }
 }
 
 TEST(Jacket, HoldsItsPressureFromTheStart) {
-  ProtocolRun run(simple_cubic(6, 6, 8, 1e-3), strong(), "elastic_brittle", 1e-6, "uniaxial_compression", {{"platen_velocity", 0.3}, {"jacket_pressure", 1e6}, {"max_strain", 0.003}});
+  ProtocolRun run(simple_cubic(6, 6, 8, 1e-3), strong(), "elastic_brittle", 1e-6, "uniaxial_compression",
+                  {{"platen_velocity", 0.3}, {"jacket_pressure", 1e6}, {"max_strain", 0.003}});
   run.go(200000);
   EXPECT_NEAR(-mean_stress(run.simulation())(0, 0), 1e6, 0.02 * 1e6);
   EXPECT_NEAR(run.rows.last("confining_pressure_applied"), 1e6, 1);
@@ -163,7 +195,8 @@ TEST(Axial, ACylinderIsLoadedAlongItsOwnAxis) {
   PackedParticles p = simple_cubic(4, 4, 6, 1e-3);
   p.outline = SpecimenShape::Outline::cylinder;
   try {
-    ProtocolRun run(p, strong(), "elastic_brittle", 1e-6, "triaxial_compression", triaxial({{"axis", "x"}, {"confining_pressure", 1e6}}));
+    ProtocolRun run(p, strong(), "elastic_brittle", 1e-6, "triaxial_compression",
+                    triaxial({{"axis", "x"}, {"confining_pressure", 1e6}}));
     FAIL() << "must be refused";
   } catch (const UserError& e) {
     EXPECT_STREQ(e.what(), "protocol: a cylinder is loaded along its own axis: leave `axis` out");
@@ -174,7 +207,8 @@ TEST(Biaxial, IsTheSameTestInAPlane) {
   PackedParticles p = random_block(10, 16, 1, 1e-3, 21);
   for (Vec3& x : p.position) x.z() = 0;
   p.axis = Vec3::UnitY();
-  ProtocolRun run(p, strong(), "elastic_brittle", 0.2, "triaxial_compression", triaxial({{"stages", {{{"confining_pressure", 5e6}}, {{"hold_time", 30e-6}}}}}), 2);
+  ProtocolRun run(p, strong(), "elastic_brittle", 0.2, "triaxial_compression",
+                  triaxial({{"stages", {{{"confining_pressure", 5e6}}, {{"hold_time", 30e-6}}}}}), 2);
   run.go(200000);
   const Mat3 s = mean_stress(run.simulation());
   EXPECT_NEAR(-s(1, 1), 5e6, 0.01 * 5e6);

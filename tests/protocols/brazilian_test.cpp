@@ -23,20 +23,29 @@ PackedParticles disc(int across, int layers, double r) {
 TEST(Brazilian, StressFollowsFromLoadAndMeasuredSize) {
   for (const int dimension : {3, 2}) {
     const double scale = dimension == 3 ? 1 : 1000;  // discs are 1 m thick
-    ProtocolRun run(disc(11, dimension == 3 ? 4 : 1, 1e-3), elastic_brittle({{"tensile_strength", scale * 2e6}, {"shear_strength", scale * 40e6}, {"bond_modulus", scale * 10e9}}), "elastic_brittle", 1e-6, "brazilian",
-                    {{"platen_velocity", 0.05}, {"max_displacement", 0.02}}, dimension);
+    ProtocolRun run(
+        disc(11, dimension == 3 ? 4 : 1, 1e-3),
+        elastic_brittle(
+            {{"tensile_strength", scale * 2e6}, {"shear_strength", scale * 40e6}, {"bond_modulus", scale * 10e9}}),
+        "elastic_brittle", 1e-6, "brazilian", {{"platen_velocity", 0.05}, {"max_displacement", 0.02}}, dimension);
     run.go(400000);
-    const double diameter = run.summary.at("diameter_m").get<double>(), thickness = run.summary.at("thickness_m").get<double>();
+    const double diameter = run.summary.at("diameter_m").get<double>(),
+                 thickness = run.summary.at("thickness_m").get<double>();
     EXPECT_NEAR(diameter, 22e-3, 1e-9);
     EXPECT_NEAR(thickness, dimension == 3 ? 8e-3 : 1.0, 1e-9);
-    EXPECT_NEAR(run.rows.last("tensile_stress"), 2 * run.rows.last("load") / (std::numbers::pi * diameter * thickness), 1e-6 * std::abs(run.rows.last("tensile_stress")) + 1e-9);
+    EXPECT_NEAR(run.rows.last("tensile_stress"), 2 * run.rows.last("load") / (std::numbers::pi * diameter * thickness),
+                1e-6 * std::abs(run.rows.last("tensile_stress")) + 1e-9);
     EXPECT_GT(run.summary.at("peak_tensile_stress_Pa").get<double>(), 0.1e6) << dimension;
   }
 }
 
 TEST(Brazilian, RefusesLoadsAlongTheAxisAndOtherShapes) {
-  EXPECT_THROW(ProtocolRun(disc(7, 3, 1e-3), elastic_brittle(), "elastic_brittle", 1e-6, "brazilian", {{"platen_velocity", 0.1}, {"axis", "z"}}), UserError);
-  EXPECT_THROW(ProtocolRun(simple_cubic(4, 4, 4, 1e-3), elastic_brittle(), "elastic_brittle", 1e-6, "brazilian", {{"platen_velocity", 0.1}}), UserError);
+  EXPECT_THROW(ProtocolRun(disc(7, 3, 1e-3), elastic_brittle(), "elastic_brittle", 1e-6, "brazilian",
+                           {{"platen_velocity", 0.1}, {"axis", "z"}}),
+               UserError);
+  EXPECT_THROW(ProtocolRun(simple_cubic(4, 4, 4, 1e-3), elastic_brittle(), "elastic_brittle", 1e-6, "brazilian",
+                           {{"platen_velocity", 0.1}}),
+               UserError);
 }
 
 }  // namespace

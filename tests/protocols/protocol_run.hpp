@@ -60,8 +60,8 @@ inline std::unique_ptr<Protocol> make_protocol(const std::string& name, Json con
 
 class ProtocolRun {
  public:
-  ProtocolRun(const PackedParticles& packing, const Json& law, const std::string& law_name, double tolerance, const std::string& protocol,
-              const Json& config, int dimension = 3, int threads = 1) {
+  ProtocolRun(const PackedParticles& packing, const Json& law, const std::string& law_name, double tolerance,
+              const std::string& protocol, const Json& config, int dimension = 3, int threads = 1) {
     law_ = make_law(law, law_name);
     EngineSettings settings;
     settings.damping = {0.5, 0.5};
@@ -74,7 +74,8 @@ class ProtocolRun {
   }
 
   /// To the protocol's end; fails when it takes more steps. `watch` sees each sample.
-  template <class Watch> void go(int most_steps, Watch&& watch, int every = 20) {
+  template <class Watch>
+  void go(int most_steps, Watch&& watch, int every = 20) {
     for (int k = 0; k < most_steps; ++k) {
       protocol_->step(*simulation_);
       simulation_->forces();
@@ -93,7 +94,8 @@ class ProtocolRun {
     FAIL() << "the protocol did not end in " << most_steps << " steps: " << protocol_->status();
   }
   void go(int most_steps, int every = 20) {
-    go(most_steps, [](Simulation&) {}, every);
+    go(
+        most_steps, [](Simulation&) {}, every);
   }
   Simulation& simulation() { return *simulation_; }
 
@@ -107,7 +109,8 @@ class ProtocolRun {
   std::unique_ptr<Protocol> protocol_;
 };
 
-/// Volume average over pairs, walls and applied forces, positive in tension [Pa]: as the post-processor `stress` has it.
+/// Volume average over pairs, walls and applied forces, positive in tension [Pa]: as the post-processor `stress` has
+/// it.
 inline Mat3 mean_stress(Simulation& sim) {
   const SimulationView v = sim.view();
   Mat3 sum = Mat3::Zero();

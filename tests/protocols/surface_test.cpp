@@ -106,7 +106,8 @@ TEST(LateralSurface, LosesWhatSinksBehindOthers) {
 TEST(LateralSurface, OfALatticeIsItsOuterLayer) {
   PackedParticles p = simple_cubic(5, 4, 6, 1e-3);
   const State s = assemble(p, {2650}, 3, 1);
-  LateralSurface surface(s.specimen, {s.particles.position, {}, {}, {}, {}, {}, {}, {}, s.particles.radius, {}, {}}, 3, 1);
+  LateralSurface surface(s.specimen, {s.particles.position, {}, {}, {}, {}, {}, {}, {}, s.particles.radius, {}, {}}, 3,
+                         1);
   surface.measure({s.particles.position, {}, {}, {}, {}, {}, {}, {}, s.particles.radius, {}, {}}, 0, s.specimen.height);
   EXPECT_NEAR(surface.area(), 2 * (10e-3 + 8e-3) * 12e-3, 1e-12);
   EXPECT_EQ(surface.cells().size(), std::size_t(2 * (5 + 4) * 6));

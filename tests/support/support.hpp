@@ -13,23 +13,30 @@
 namespace breccia::testing {
 
 inline Json elastic_brittle(Json changes = Json::object()) {
-  Json config = {{"model", "model_1"}, {"bond_modulus", 10e9}, {"stiffness_ratio", 3.7}, {"tensile_strength", 40e6},
-                 {"shear_strength", 40e6}, {"friction", 0.5}, {"broken_rest_length", "initial_distance"}};
+  Json config = {{"model", "model_1"},
+                 {"bond_modulus", 10e9},
+                 {"stiffness_ratio", 3.7},
+                 {"tensile_strength", 40e6},
+                 {"shear_strength", 40e6},
+                 {"friction", 0.5},
+                 {"broken_rest_length", "initial_distance"}};
   for (const auto& [key, value] : changes.items()) config[key] = value;
   return config;
 }
 
 /// Ouyang et al. (2017), Table 2, with the modulus of the law above.
 inline Json nonlinear_tension(Json changes = Json::object()) {
-  Json config = {{"bond_modulus", 10e9}, {"shear_stiffness_ratio", 0.5}, {"bending_ratio", 0.256}, {"tensile_strain_limit", 4e-3},
-                 {"tension_shape", 0.2}, {"bond_width", 0.8}, {"shear_strain_ratio", 3.5}, {"shear_strain_cap_ratio", 10.0},
-                 {"internal_friction_angle", 0.785}, {"friction_angle", 0.681}};
+  Json config = {{"bond_modulus", 10e9},         {"shear_stiffness_ratio", 0.5},   {"bending_ratio", 0.256},
+                 {"tensile_strain_limit", 4e-3}, {"tension_shape", 0.2},           {"bond_width", 0.8},
+                 {"shear_strain_ratio", 3.5},    {"shear_strain_cap_ratio", 10.0}, {"internal_friction_angle", 0.785},
+                 {"friction_angle", 0.681}};
   for (const auto& [key, value] : changes.items()) config[key] = value;
   return config;
 }
 
 /// The law as a user gets it: from its shared library.
-inline std::unique_ptr<ContactLaw> make_law(const Json& config = elastic_brittle(), const std::string& name = "elastic_brittle") {
+inline std::unique_ptr<ContactLaw> make_law(const Json& config = elastic_brittle(),
+                                            const std::string& name = "elastic_brittle") {
   static Registry registry;
   return registry.create<ContactLaw>({name, config});
 }
@@ -71,8 +78,8 @@ struct Bench {
   }
 };
 
-inline Bench make_bench(const PackedParticles& packing, const Json& law, double tolerance, EngineSettings settings = {}, int dimension = 3,
-                        const std::string& name = "elastic_brittle") {
+inline Bench make_bench(const PackedParticles& packing, const Json& law, double tolerance, EngineSettings settings = {},
+                        int dimension = 3, const std::string& name = "elastic_brittle") {
   Bench b;
   b.law = make_law(law, name);
   b.simulation = std::make_unique<Simulation>(assemble(packing, {2650}, dimension, 1.0), *b.law, settings);

@@ -18,7 +18,8 @@ Vec3 momentum(const State& s) {
 Vec3 angular_momentum(const State& s) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t k = 0; k < s.particles.size(); ++k)
-    sum += s.particles.mass[k] * s.particles.position[k].cross(s.particles.velocity[k]) + s.particles.inertia[k] * s.particles.angular_velocity[k];
+    sum += s.particles.mass[k] * s.particles.position[k].cross(s.particles.velocity[k]) +
+           s.particles.inertia[k] * s.particles.angular_velocity[k];
   return sum;
 }
 
@@ -41,7 +42,8 @@ struct Errors {
 };
 
 /// The same physical time for every safety factor.
-Errors after_collision(double speed, double safety, double damping, const Json& law, const std::string& name = "elastic_brittle") {
+Errors after_collision(double speed, double safety, double damping, const Json& law,
+                       const std::string& name = "elastic_brittle") {
   EngineSettings settings;
   settings.safety = safety;
   settings.damping = {damping, damping};
@@ -50,15 +52,23 @@ Errors after_collision(double speed, double safety, double damping, const Json& 
   b->mark_start_of_loading();
   const Vec3 p0 = momentum(b->state()), l0 = angular_momentum(b->state());
   double scale = 0;
-  for (std::size_t k = 0; k < b->state().particles.size(); ++k) scale += b->state().particles.mass[k] * b->state().particles.velocity[k].norm();
+  for (std::size_t k = 0; k < b->state().particles.size(); ++k)
+    scale += b->state().particles.mass[k] * b->state().particles.velocity[k].norm();
   b.steps(int(1000 / safety));
   b->forces();
   const SimulationView v = b->view();
   std::size_t broken = 0;
   for (const BondState s : v.bonds.state) broken += is_broken(s);
   const double e0 = v.energy.initial;
-  return {v.energy.error() / e0, (momentum(b->state()) - p0).norm() / scale, (angular_momentum(b->state()) - l0).norm() / (scale * 10e-3),
-          e0, v.energy.elastic / e0, v.energy.fracture / e0, v.energy.friction / e0, v.energy.damping / e0, broken};
+  return {v.energy.error() / e0,
+          (momentum(b->state()) - p0).norm() / scale,
+          (angular_momentum(b->state()) - l0).norm() / (scale * 10e-3),
+          e0,
+          v.energy.elastic / e0,
+          v.energy.fracture / e0,
+          v.energy.friction / e0,
+          v.energy.damping / e0,
+          broken};
 }
 
 TEST(Conservation, MomentaAndEnergyOfAFreeElasticBody) {
@@ -73,7 +83,8 @@ TEST(Conservation, MomentaAndEnergyOfAFreeElasticBody) {
 }
 
 TEST(Conservation, LedgerClosesWithDampingFrictionAndBreakage) {
-  const Errors coarse = after_collision(40, 0.4, 0.3, elastic_brittle()), fine = after_collision(40, 0.05, 0.3, elastic_brittle());
+  const Errors coarse = after_collision(40, 0.4, 0.3, elastic_brittle()),
+               fine = after_collision(40, 0.05, 0.3, elastic_brittle());
   EXPECT_GT(fine.broken, 50u) << "the test must break something";
   EXPECT_GT(fine.fracture, 0.001);
   EXPECT_GT(fine.friction, 0.001);

@@ -13,7 +13,8 @@ struct Moved {
   std::size_t broken = 0;
 };
 
-/// Crushes a free block by initial velocities, after moving the packing by x -> R x + t and listing it in another order.
+/// Crushes a free block by initial velocities, after moving the packing by x -> R x + t and listing it in another
+/// order.
 Moved crush(const Mat3& turn, const Vec3& shift, bool reverse, const Json& law = elastic_brittle(),
             const std::string& name = "elastic_brittle") {
   PackedParticles p = random_block(4, 4, 6, 1e-3, 3);
@@ -65,7 +66,8 @@ TEST(Invariance, Translation) {
 }
 
 TEST(Invariance, Rotation) {
-  const Mat3 turn = (Eigen::AngleAxisd(0.7, Vec3::UnitX()) * Eigen::AngleAxisd(-1.1, Vec3(1, 2, 3).normalized())).toRotationMatrix();
+  const Mat3 turn =
+      (Eigen::AngleAxisd(0.7, Vec3::UnitX()) * Eigen::AngleAxisd(-1.1, Vec3(1, 2, 3).normalized())).toRotationMatrix();
   expect_same(crush(Mat3::Identity(), Vec3::Zero(), false), crush(turn, Vec3::Zero(), false), 1e-8);
 }
 

@@ -8,7 +8,8 @@ namespace breccia::testing {
 namespace {
 
 class Lattice : public ::testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Models, Lattice, ::testing::Values("model_1", "model_2"), [](const auto& model) { return std::string(model.param); });
+INSTANTIATE_TEST_SUITE_P(Models, Lattice, ::testing::Values("model_1", "model_2"),
+                         [](const auto& model) { return std::string(model.param); });
 
 TEST_P(Lattice, UniaxialModulusIsTheBondModulus) {
   const double r = 1e-3;
@@ -20,7 +21,8 @@ TEST_P(Lattice, UniaxialModulusIsTheBondModulus) {
   ASSERT_EQ(s.bonds.size(), std::size_t(2 * n * (n - 1) * layers + n * n * (layers - 1)));
   const double stiffness = 20e6;
   const auto low = b->add_wall({"low", s.specimen.base, Vec3::UnitZ(), stiffness, 0, 0});
-  const auto high = b->add_wall({"high", s.specimen.base + s.specimen.height * Vec3::UnitZ(), -Vec3::UnitZ(), stiffness, 0, 0});
+  const auto high =
+      b->add_wall({"high", s.specimen.base + s.specimen.height * Vec3::UnitZ(), -Vec3::UnitZ(), stiffness, 0, 0});
   b->prepare();
   const double strain = 1e-4, speed = 0.5 * strain * s.specimen.height / (4000 * b->time_step());
   b->set_wall_velocity(low, speed * Vec3::UnitZ());

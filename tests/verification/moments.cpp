@@ -23,8 +23,10 @@ Bench pair(const Stiffness& k, int dimension, double safety, bool bonded = true)
   p.outline = SpecimenShape::Outline::box;
   EngineSettings settings;
   settings.safety = safety;
-  Json law = nonlinear_tension({{"normal_stiffness", kn}, {"shear_stiffness_ratio", k.shear_ratio},
-                                {"bending_stiffness", k.bending}, {"torsion_ratio", k.torsion_ratio},
+  Json law = nonlinear_tension({{"normal_stiffness", kn},
+                                {"shear_stiffness_ratio", k.shear_ratio},
+                                {"bending_stiffness", k.bending},
+                                {"torsion_ratio", k.torsion_ratio},
                                 {"tensile_strain_limit", 1e3}});
   law.erase("bond_modulus");
   law.erase("bending_ratio");
@@ -48,7 +50,12 @@ double inertia(int dimension) { return (dimension == 2 ? 0.5 : 0.4) * mass(dimen
 TEST(Moments, AFreePairSwingsWithTheFrequencyOfItsStiffness) {
   // Opposite rotations do not shear: J theta'' = -2 k theta for each of the two.
   const Stiffness k{0.5, 50, 0.3};
-  const struct { int dimension; Vec3 axis; double stiffness; std::size_t column; } swings[] = {
+  const struct {
+    int dimension;
+    Vec3 axis;
+    double stiffness;
+    std::size_t column;
+  } swings[] = {
       {2, Vec3::UnitZ(), 50, 5}, {3, Vec3::UnitZ(), 50, 5}, {3, Vec3::UnitY(), 50, 4}, {3, Vec3::UnitX(), 0.3 * 50, 6}};
   for (const auto& s : swings) {
     Bench b = pair(k, s.dimension, 0.05);
@@ -65,9 +72,11 @@ TEST(Moments, AFreePairSwingsWithTheFrequencyOfItsStiffness) {
       if (step % 7 == 0) most = std::max(most, std::abs(b->view().energy.error()) / b->view().energy.initial);
     }
     ASSERT_EQ(zeros.size(), 11u);
-    const double frequency = 10 * pi / (zeros[10] - zeros[0]), known = std::sqrt(2 * s.stiffness / inertia(s.dimension));
+    const double frequency = 10 * pi / (zeros[10] - zeros[0]),
+                 known = std::sqrt(2 * s.stiffness / inertia(s.dimension));
     // Central differences: sin(w dt/2) is half of the true w dt.
-    EXPECT_NEAR(2 / dt * std::sin(0.5 * frequency * dt), known, 1e-5 * known) << s.dimension << "D, column " << s.column;
+    EXPECT_NEAR(2 / dt * std::sin(0.5 * frequency * dt), known, 1e-5 * known)
+        << s.dimension << "D, column " << s.column;
     EXPECT_LT(most, 2e-3) << "the energy swings with the square of the step and does not drift";
     EXPECT_LT(b->state().particles.velocity[0].norm(), 1e-9 * r / dt);
     const Vec3 spin = b->state().particles.angular_velocity[0] + b->state().particles.angular_velocity[1];
@@ -77,7 +86,8 @@ TEST(Moments, AFreePairSwingsWithTheFrequencyOfItsStiffness) {
 
 TEST(Moments, TheCriticalStepKnowsOfBendingAndTorsion) {
   for (const int dimension : {2, 3})
-    for (const Stiffness& k : {Stiffness{0.5, 50, 1}, Stiffness{0.1, 2000, 0.1}, Stiffness{0.5, 0, 1}, Stiffness{0.1, 50, 90}}) {
+    for (const Stiffness& k :
+         {Stiffness{0.5, 50, 1}, Stiffness{0.1, 2000, 0.1}, Stiffness{0.5, 0, 1}, Stiffness{0.1, 50, 90}}) {
       const double m = mass(dimension), inert = inertia(dimension), shear = k.shear_ratio * kn / length;
       // Shear couples translation and rotation: [shear, shear r; shear r, shear r^2 + bending] over [m, J].
       const double p = shear / m, q = (shear * r * r + k.bending) / inert, coupling = shear * r / std::sqrt(m * inert);
@@ -92,7 +102,11 @@ TEST(Moments, TheCriticalStepKnowsOfBendingAndTorsion) {
 }
 
 TEST(Moments, TheCriticalStepIsThatOfTheBendingModeWhereBendingIsStiffest) {
-  const struct { int dimension; Stiffness k; Vec3 axis; } modes[] = {
+  const struct {
+    int dimension;
+    Stiffness k;
+    Vec3 axis;
+  } modes[] = {
       {2, {1e-9, 2000, 0}, Vec3::UnitZ()}, {3, {1e-9, 2000, 0}, Vec3::UnitY()}, {3, {1e-9, 100, 30}, Vec3::UnitX()}};
   for (const auto& mode : modes)
     for (const double safety : {0.99, 1.01}) {

@@ -28,7 +28,8 @@ TEST(Neighbours, NoContactIsMissedBetweenRebuilds) {
     ASSERT_EQ(listed.size(), s.pairs.size());
     for (Index i = 0; i < s.particles.size(); ++i)
       for (Index j = i + 1; j < s.particles.size(); ++j)
-        if ((s.particles.position[i] - s.particles.position[j]).norm() < s.particles.radius[i] + s.particles.radius[j]) {
+        if ((s.particles.position[i] - s.particles.position[j]).norm() <
+            s.particles.radius[i] + s.particles.radius[j]) {
           ASSERT_TRUE(listed.contains({i, j})) << i << " " << j << " after " << k;
         }
   }
@@ -87,7 +88,8 @@ TEST(Neighbours, ImpossibleCoordinationNumberIsTheUsersError) {
 }
 
 TEST(TimeStep, TwoEqualSpheresOscillateAtTheFrequencyTheBoundGives) {
-  // Two free spheres on one spring: omega^2 = 2 K/m, and the bound is exact for the normal mode when it is the stiffest.
+  // Two free spheres on one spring: omega^2 = 2 K/m, and the bound is exact for the normal mode when it is the
+  // stiffest.
   Bench b = make_bench(simple_cubic(2, 1, 1, 1e-3), elastic_brittle({{"stiffness_ratio", 1e9}}), 1e-9);
   b->prepare();
   const double k = 2 * 10e9 * 1e-3, m = b->state().particles.mass[0];
@@ -115,7 +117,8 @@ TEST(TimeStep, StableAtTheBoundUnstableFarAboveIt) {
   for (const double safety : {1.0, 2.2}) {
     EngineSettings settings;
     settings.safety = safety;
-    Bench b = make_bench(random_block(4, 4, 4, 1e-3, 9), elastic_brittle({{"tensile_strength", 1e15}, {"shear_strength", 1e15}}), 0.15, settings);
+    Bench b = make_bench(random_block(4, 4, 4, 1e-3, 9),
+                         elastic_brittle({{"tensile_strength", 1e15}, {"shear_strength", 1e15}}), 0.15, settings);
     b->prepare();
     b->hold(0, dof::translation, Vec3(1e-3, 2e-3, 3e-3), Vec3::Zero());
     b->release(0, dof::all);
@@ -123,7 +126,10 @@ TEST(TimeStep, StableAtTheBoundUnstableFarAboveIt) {
     const double start = b->view().energy.initial;
     double most = 0;
     try {
-      for (int k = 0; k < 40; ++k) { b.steps(50); most = std::max(most, b->view().energy.kinetic); }
+      for (int k = 0; k < 40; ++k) {
+        b.steps(50);
+        most = std::max(most, b->view().energy.kinetic);
+      }
     } catch (const UserError&) {
       most = 1e300;  // ran away, and said so
     }

@@ -10,17 +10,24 @@ namespace {
 struct Case {
   std::string law;
   Json config;
-  double limit;   ///< strain at which a bond breaks in pure tension
+  double limit;  ///< strain at which a bond breaks in pure tension
 };
 
-const Case cases[] = {
-    {"elastic_brittle", elastic_brittle(), 40e6 / 10e9},
-    {"nonlinear_tension", nonlinear_tension(), 4e-3},
-    {"elasto_damage_plastic",
-     {{"youngs_modulus", 10e9}, {"poisson_ratio", 0.2}, {"area_factor", 1.0}, {"contact_damping", 0.5}, {"tensile_strength", 10e6},
-      {"shear_strength", 10e6}, {"internal_friction", 0.5}, {"friction", 0.3}, {"softening_tension", 1.0}, {"softening_shear", 1.0},
-      {"failure", "coupled"}},
-     2e-3}};
+const Case cases[] = {{"elastic_brittle", elastic_brittle(), 40e6 / 10e9},
+                      {"nonlinear_tension", nonlinear_tension(), 4e-3},
+                      {"elasto_damage_plastic",
+                       {{"youngs_modulus", 10e9},
+                        {"poisson_ratio", 0.2},
+                        {"area_factor", 1.0},
+                        {"contact_damping", 0.5},
+                        {"tensile_strength", 10e6},
+                        {"shear_strength", 10e6},
+                        {"internal_friction", 0.5},
+                        {"friction", 0.3},
+                        {"softening_tension", 1.0},
+                        {"softening_shear", 1.0},
+                        {"failure", "coupled"}},
+                       2e-3}};
 
 class Protection : public ::testing::TestWithParam<Case> {};
 INSTANTIATE_TEST_SUITE_P(Laws, Protection, ::testing::ValuesIn(cases), [](const auto& c) { return c.param.law; });

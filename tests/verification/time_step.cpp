@@ -14,9 +14,17 @@ constexpr double r = 1e-3, density = 2650, modulus = 20e9;
 /// Bonds that never fail, with a dashpot xi.
 Bench damped(const PackedParticles& packing, double xi, double tolerance, double step_share) {
   Bench b;
-  b.law = make_law({{"youngs_modulus", modulus}, {"poisson_ratio", 0.5}, {"area_factor", 1.0}, {"contact_damping", xi},
-                    {"tensile_strength", 1e18}, {"shear_strength", 1e18}, {"internal_friction", 0.0}, {"friction", 0.0},
-                    {"softening_tension", 1.0}, {"softening_shear", 1.0}, {"failure", "uncoupled"}},
+  b.law = make_law({{"youngs_modulus", modulus},
+                    {"poisson_ratio", 0.5},
+                    {"area_factor", 1.0},
+                    {"contact_damping", xi},
+                    {"tensile_strength", 1e18},
+                    {"shear_strength", 1e18},
+                    {"internal_friction", 0.0},
+                    {"friction", 0.0},
+                    {"softening_tension", 1.0},
+                    {"softening_shear", 1.0},
+                    {"failure", "uncoupled"}},
                    "elasto_damage_plastic");
   EngineSettings settings;
   settings.safety = step_share;

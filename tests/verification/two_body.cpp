@@ -19,9 +19,11 @@ struct Model {
   double limit(int dimension) const { return strength * (dimension == 2 ? 2 * breadth : 4 * area); }
 };
 const double mean = 0.5 * (r1 + r2), harmonic = 2 * r1 * r2 / (r1 + r2), bond_mean2 = mean * mean;
-const Model models[] = {{"model_1", mean, mean * mean, mean}, {"model_2", harmonic, r1 * r1, r1},
-                        {"model_3a", mean, 0.5 * (r1 * r1 + r2 * r2), mean}, {"model_3b", mean, bond_mean2, mean},
-                        {"model_3c", harmonic, r1 * r1, r1}};
+const Model models[] = {{"model_1", mean, mean* mean, mean},
+                        {"model_2", harmonic, r1* r1, r1},
+                        {"model_3a", mean, 0.5 * (r1 * r1 + r2 * r2), mean},
+                        {"model_3b", mean, bond_mean2, mean},
+                        {"model_3c", harmonic, r1* r1, r1}};
 
 /// Particle 0 held still, particle 1 led with a velocity; `gap` is left between the surfaces (negative: overlap).
 Bench pair_bench(const Json& law, double gap, double tolerance, const Vec3& velocity, int dimension = 3) {
@@ -50,7 +52,8 @@ void prepare_free(Bench& b) {
 }
 
 class EachModel : public ::testing::TestWithParam<Model> {};
-INSTANTIATE_TEST_SUITE_P(TwoBody, EachModel, ::testing::ValuesIn(models), [](const auto& model) { return std::string(model.param.name); });
+INSTANTIATE_TEST_SUITE_P(TwoBody, EachModel, ::testing::ValuesIn(models),
+                         [](const auto& model) { return std::string(model.param.name); });
 
 void break_in_tension(const Model& m, int dimension) {
   Bench b = pair_bench(elastic_brittle({{"model", m.name}}), 0, 1e-9, Vec3::Zero(), dimension);
@@ -130,7 +133,9 @@ TEST(TwoBody, BreakingInShearUnderPressureReleasesNoNormalForce) {
 
 TEST(TwoBody, ABondAcrossAGapCarriesNoPressureAfterBreakageUntilTouchWhenSoAsked) {
   for (const bool keeps : {true, false}) {
-    Bench b = pair_bench(elastic_brittle({{"broken_rest_length", keeps ? "initial_distance" : "touching"}, {"shear_strength", 1e3}}), 0.1e-3, 0.2, Vec3::Zero());
+    Bench b = pair_bench(
+        elastic_brittle({{"broken_rest_length", keeps ? "initial_distance" : "touching"}, {"shear_strength", 1e3}}),
+        0.1e-3, 0.2, Vec3::Zero());
     prepare_free(b);
     lead(b, Vec3(-1e-9, 2e-9, 0));
     b.steps(2000);

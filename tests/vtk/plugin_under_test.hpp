@@ -33,7 +33,8 @@ inline Json completed(const ParamSpec& group, Json given) {
   return given;
 }
 
-template <class P> std::unique_ptr<P> make(const char* file, const Json& given) {
+template <class P>
+std::unique_ptr<P> make(const char* file, const Json& given) {
   const Factory& factory = factory_of(file);
   auto plugin = factory.create(completed(factory.documentation().root, given));
   auto* typed = dynamic_cast<P*>(plugin.get());
@@ -82,12 +83,11 @@ class Folder {
 };
 
 /// The text of the UserError that f throws.
-template <class F> std::string user_error(F&& f) {
+template <class F>
+std::string user_error(F&& f) {
   try {
     f();
-  } catch (const UserError& e) {
-    return e.what();
-  }
+  } catch (const UserError& e) { return e.what(); }
   return "(no UserError)";
 }
 

@@ -70,7 +70,10 @@ class Specimen {
       x[up()] = std::clamp(x[up()], radius_[p], 4 * half_width_ - radius_[p]);
       const double wide = half_width_ - radius_[p];
       if (dimension_ == 2) x.x() = std::clamp(x.x(), -wide, wide);
-      else if (const double r = std::hypot(x.x(), x.y()); r > wide) { x.x() *= wide / r; x.y() *= wide / r; }
+      else if (const double r = std::hypot(x.x(), x.y()); r > wide) {
+        x.x() *= wide / r;
+        x.y() *= wide / r;
+      }
     }
   }
 
@@ -111,8 +114,12 @@ class Specimen {
       break_normal_.push_back(breaks ? Vec3(d.normalized()) : Vec3::Zero());
       const bool parted = breaks && k % 3 == 0;
       bond_pair_.push_back(parted ? BondsView::no_pair : Index(pair_i_.size()));
-      ++bonds[i]; ++bonds[j];
-      if (breaks) { ++broken[i]; ++broken[j]; }
+      ++bonds[i];
+      ++bonds[j];
+      if (breaks) {
+        ++broken[i];
+        ++broken[j];
+      }
       if (parted) return;
       pair_i_.push_back(i);
       pair_j_.push_back(j);
@@ -131,9 +138,9 @@ class Specimen {
     shape_.height = 4 * half_width_;
     shape_.extent = dimension_ == 3 ? Vec3(2 * half_width_, 2 * half_width_, 4 * half_width_)
                                     : Vec3(2 * half_width_, 4 * half_width_, 1);
-    walls_ = {
-        {"bottom", Vec3::Zero(), Vec3::Unit(up()), Vec3::Zero(), Vec3::Zero(), 7 * Vec3::Unit(up()), 7, 0, 3},
-        {"top", 4 * half_width_ * Vec3::Unit(up()), -Vec3::Unit(up()), Vec3::Zero(), Vec3::Zero(), Vec3(0, 0, -7), 7, 0, 4}};
+    walls_ = {{"bottom", Vec3::Zero(), Vec3::Unit(up()), Vec3::Zero(), Vec3::Zero(), 7 * Vec3::Unit(up()), 7, 0, 3},
+              {"top", 4 * half_width_ * Vec3::Unit(up()), -Vec3::Unit(up()), Vec3::Zero(), Vec3::Zero(), Vec3(0, 0, -7),
+               7, 0, 4}};
   }
 
   int dimension_;

@@ -46,7 +46,8 @@ std::vector<std::vector<Eigen::Vector2d>> shapes(const std::string& svg, const s
 class Charts : public ::testing::Test {
  protected:
   /// A straight rise to `peak` [Pa] and a fall to nothing.
-  void run(const std::string& name, double peak, const std::string& columns = "axial_strain,axial_stress_Pa,global_damage") {
+  void run(const std::string& name, double peak,
+           const std::string& columns = "axial_strain,axial_stress_Pa,global_damage") {
     fs::create_directories(from_.path() / name);
     std::string text = columns + "\n";
     const auto cells = std::count(columns.begin(), columns.end(), ',') + 1;
@@ -108,11 +109,14 @@ TEST_F(Charts, OfAStudyMarkEveryPoint) {
     for (auto at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++n;
     return n;
   };
-  StudyChart chart{{"ks/kn", "1"}, {"peak stress", "Pa"},
+  StudyChart chart{{"ks/kn", "1"},
+                   {"peak stress", "Pa"},
                    {{"b = 0.1", {0.1, 0.2, 0.5}, {1e8, 2e8, 4e8}, true},
-                    {"b = 0.2", {0.1, 0.2, 0.5, 0.8}, {2e8, 3e8, 3e8, NAN}, true}}, {}};
+                    {"b = 0.2", {0.1, 0.2, 0.5, 0.8}, {2e8, 3e8, 3e8, NAN}, true}},
+                   {}};
   std::string svg = study(chart);
-  for (const char* part : {">ks/kn<", ">peak stress (MPa)<", ">b = 0.1<", ">b = 0.2<"}) EXPECT_NE(svg.find(part), std::string::npos) << part;
+  for (const char* part : {">ks/kn<", ">peak stress (MPa)<", ">b = 0.1<", ">b = 0.2<"})
+    EXPECT_NE(svg.find(part), std::string::npos) << part;
   const auto lines = shapes(svg, "<polyline");
   ASSERT_EQ(lines.size(), 2u);
   ASSERT_EQ(lines[0].size(), 3u);
@@ -143,7 +147,8 @@ TEST_F(Charts, TenRunsAreToldApart) {
 TEST_F(Charts, ALegendWithoutAFreeCornerStandsBelowTheAxes) {
   run("short", 1e8);
   compare();
-  EXPECT_NE(bytes(to_.path() / "stress_strain.svg").find("height=\"300\""), std::string::npos) << "the plain sheet, 4:3";
+  EXPECT_NE(bytes(to_.path() / "stress_strain.svg").find("height=\"300\""), std::string::npos)
+      << "the plain sheet, 4:3";
   runs_[0].label = std::string(50, 'w');
   compare();
   const std::string svg = bytes(to_.path() / "stress_strain.svg");
@@ -166,8 +171,10 @@ TEST_F(Charts, ARunWithoutTheColumnIsLeftOutAndNamed) {
 
 TEST_F(Charts, AskedForColumnsMustBeThere) {
   run("a", 1e8);
-  const Json asked = {{"comparisons", {{{"x", "axial_strain"}, {"y", "axial_stress"}}, {{"x", "axial_strain"}, {"y", "axial_stres"}}}}};
-  EXPECT_NE(user_error([&] { compare(asked); }).find("no column `axial_stres`; did you mean `axial_stress_Pa`?"), std::string::npos);
+  const Json asked = {
+      {"comparisons", {{{"x", "axial_strain"}, {"y", "axial_stress"}}, {{"x", "axial_strain"}, {"y", "axial_stres"}}}}};
+  EXPECT_NE(user_error([&] { compare(asked); }).find("no column `axial_stres`; did you mean `axial_stress_Pa`?"),
+            std::string::npos);
   EXPECT_TRUE(fs::is_empty(to_.path())) << "nothing half-made";
   const Json twice = {{"comparisons", {{{"x", "a"}, {"y", "b"}}, {{"x", "c"}, {"y", "b"}}}}};
   ASSERT_EQ(issues_of(BRECCIA_PICTURES_PLUGIN, twice).size(), 1u);
@@ -196,13 +203,15 @@ TEST_F(Charts, ARoseHasASectorForEachInterval) {
   const double fractions[] = {0.4, 0.1, 0.2, 0.3};
   for (int k = 0; k < 4; ++k) {
     const double quarter = std::numbers::pi / 2;
-    text += std::to_string(k * quarter) + "," + std::to_string((k + 1) * quarter) + ",5," + std::to_string(fractions[k]) + "\n";
+    text += std::to_string(k * quarter) + "," + std::to_string((k + 1) * quarter) + ",5," +
+            std::to_string(fractions[k]) + "\n";
   }
   table("rose_yz", text);
   ASSERT_EQ(render().size(), 2u);
   EXPECT_GT(drawn(to_.path() / "rose_yz.png"), 0.1);
   const std::string svg = bytes(to_.path() / "rose_yz.svg");
-  for (const char* part : {"yz plane", ">0° y<", ">90° z<", ">330°<", "mean 25 %"}) EXPECT_NE(svg.find(part), std::string::npos) << part;
+  for (const char* part : {"yz plane", ">0° y<", ">90° z<", ">330°<", "mean 25 %"})
+    EXPECT_NE(svg.find(part), std::string::npos) << part;
   const auto sectors = shapes(svg, "<polygon fill=\"#99c7e0\"");
   ASSERT_EQ(sectors.size(), 4u);
   const auto radius = [&](std::size_t k) { return (sectors[k][1] - sectors[k][0]).norm(); };
@@ -218,16 +227,19 @@ TEST_F(Charts, OtherTablesAreLeftAloneAndDamagedOnesNamed) {
   const Json only = {{"size", 300}, {"pictures", {{{"show", "tables"}}}}};
   EXPECT_EQ(render(only).size(), 2u);
   ASSERT_EQ(host_.warnings.size(), 1u);
-  EXPECT_NE(host_.warnings[0].find("histogram_torn.csv, line 2: 3 values for 4 columns"), std::string::npos) << host_.warnings[0];
+  EXPECT_NE(host_.warnings[0].find("histogram_torn.csv, line 2: 3 values for 4 columns"), std::string::npos)
+      << host_.warnings[0];
 }
 
 /// Means by direction, one column empty where nothing was counted: a line each, of the family of the last column alone.
 TEST_F(Charts, ProfilesAreLinesOverTheMiddlesOfTheIntervals) {
-  table("by_angle", "angle_from_rad,angle_to_rad,contacts,ratio_all,ratio_tensile\n0,0.5235987756,5,0.2,0.1\n"
-                    "0.5235987756,1.0471975512,7,0.4,0.1\n1.0471975512,1.5707963268,9,0.6,\n");
+  table("by_angle",
+        "angle_from_rad,angle_to_rad,contacts,ratio_all,ratio_tensile\n0,0.5235987756,5,0.2,0.1\n"
+        "0.5235987756,1.0471975512,7,0.4,0.1\n1.0471975512,1.5707963268,9,0.6,\n");
   ASSERT_EQ(render().size(), 2u);
   const std::string svg = bytes(to_.path() / "by_angle.svg");
-  for (const char* part : {">all<", ">tensile<", "angle (°)", ">ratio<"}) EXPECT_NE(svg.find(part), std::string::npos) << part;
+  for (const char* part : {">all<", ">tensile<", "angle (°)", ">ratio<"})
+    EXPECT_NE(svg.find(part), std::string::npos) << part;
   EXPECT_EQ(svg.find("contacts"), std::string::npos);
   const auto lines = shapes(svg, "<polyline");
   ASSERT_EQ(lines.size(), 1u) << "the other has two points: a <line>";
@@ -241,14 +253,16 @@ TEST_F(Charts, MohrCirclesAreRoundAndTheLineTouchesThem) {
   // On one line: sigma_1 = 20 MPa + 4 sigma_3, hence c = 5 MPa and sin(phi) = 0.6.
   const auto test = [&](const std::string& name, double confining, double axial) {
     run(name, axial);
-    const Json summary = {{"a_test", {{"peak_platen_stress_Pa", axial}, {"peak_deviatoric_platen_stress_Pa", axial - confining}}}};
+    const Json summary = {
+        {"a_test", {{"peak_platen_stress_Pa", axial}, {"peak_deviatoric_platen_stress_Pa", axial - confining}}}};
     from_.file(name + "/summary.json", summary.dump());
   };
   test("at 0", 0, 20e6);
   test("at 10", 10e6, 60e6);
   compare();
   const std::string svg = bytes(to_.path() / "strength_envelope.svg");
-  for (const char* part : {"c = 5 MPa, φ = 36.9°", ">at 0<", ">at 10<", "normal stress σ (MPa)"}) EXPECT_NE(svg.find(part), std::string::npos) << part;
+  for (const char* part : {"c = 5 MPa, φ = 36.9°", ">at 0<", ">at 10<", "normal stress σ (MPa)"})
+    EXPECT_NE(svg.find(part), std::string::npos) << part;
   const auto circles = shapes(svg, "<polyline");
   ASSERT_EQ(circles.size(), 2u);
   for (const auto& c : circles) {
@@ -256,7 +270,8 @@ TEST_F(Charts, MohrCirclesAreRoundAndTheLineTouchesThem) {
     EXPECT_NEAR(c[45].y() - c[0].y(), 0.5 * (c[90].x() - c[0].x()), 0.03) << "as high as its radius";
   }
   EXPECT_NEAR((circles[1][90].x() - circles[1][0].x()) / (circles[0][90].x() - circles[0][0].x()), 2.5, 0.01);
-  // The tangent at the angle 90° - phi from the left of each circle lies on the line: compare both tangent points' slope.
+  // The tangent at the angle 90° - phi from the left of each circle lies on the line: compare both tangent points'
+  // slope.
   const double turn = std::numbers::pi / 2 - std::asin(0.6);
   const auto tangent = [&](const auto& c) {
     const double radius = 0.5 * (c[90].x() - c[0].x());
@@ -269,7 +284,8 @@ TEST_F(Charts, MohrCirclesAreRoundAndTheLineTouchesThem) {
 TEST_F(Charts, WithoutTwoConfiningPressuresThereIsNoEnvelope) {
   for (const char* name : {"a", "b"}) {
     run(name, 3e7);
-    from_.file(std::string(name) + "/summary.json", R"({"a_test": {"peak_platen_stress_Pa": 3e7, "peak_deviatoric_platen_stress_Pa": 3e7}})");
+    from_.file(std::string(name) + "/summary.json",
+               R"({"a_test": {"peak_platen_stress_Pa": 3e7, "peak_deviatoric_platen_stress_Pa": 3e7}})");
   }
   compare();
   EXPECT_FALSE(fs::exists(to_.path() / "strength_envelope.svg"));

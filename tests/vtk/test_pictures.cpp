@@ -37,9 +37,10 @@ struct Image {
   std::size_t colours() const { return std::set(pixel.begin(), pixel.end()).size(); }
   /// Share of pixels within a few steps of a colour.
   double share_of(int r, int g, int b) const {
-    return double(std::count_if(pixel.begin(), pixel.end(), [&](const auto& p) {
-             return std::abs(p[0] - r) + std::abs(p[1] - g) + std::abs(p[2] - b) < 60;
-           })) / double(pixel.size());
+    return double(std::count_if(
+               pixel.begin(), pixel.end(),
+               [&](const auto& p) { return std::abs(p[0] - r) + std::abs(p[1] - g) + std::abs(p[2] - b) < 60; })) /
+           double(pixel.size());
   }
 };
 
@@ -143,7 +144,10 @@ TEST_F(PicturesOfARun, TheSvgHoldsTheWholeCurve) {
   const auto begin = svg.find("points=\"", svg.find("<polyline")) + 8;
   std::istringstream in(svg.substr(begin, svg.find('"', begin) - begin));
   std::vector<double> x, y;
-  for (double a = 0, b = 0; in >> a && in.ignore() && in >> b;) { x.push_back(a); y.push_back(b); }
+  for (double a = 0, b = 0; in >> a && in.ignore() && in >> b;) {
+    x.push_back(a);
+    y.push_back(b);
+  }
   ASSERT_EQ(x.size(), 201u);
   EXPECT_TRUE(std::is_sorted(x.begin(), x.end()));
   EXPECT_GT(x.back() - x.front(), 250);

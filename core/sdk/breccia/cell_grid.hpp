@@ -21,7 +21,10 @@ class CellGrid {
     if (points.empty()) return;
     low_ = points[0];
     Vec3 high = points[0];
-    for (const Vec3& p : points) { low_ = low_.cwiseMin(p); high = high.cwiseMax(p); }
+    for (const Vec3& p : points) {
+      low_ = low_.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
     // A far stray must not blow up the grid: at most about four cells per point.
     const Vec3 extent = high - low_;
     cell_ = cutoff;
@@ -44,14 +47,16 @@ class CellGrid {
   std::span<const Index> members() const { return members_; }
 
   /// Calls f(q) for every point q that can be within the cutoff of x (x itself included if it is a point).
-  template <class F> void for_each_near(const Vec3& x, F&& f) const {
+  template <class F>
+  void for_each_near(const Vec3& x, F&& f) const {
     for_each_run_near(x, [&](std::size_t begin, std::size_t end) {
       for (std::size_t m = begin; m < end; ++m) f(members_[m]);
     });
   }
 
   /// The same, as ranges [begin, end) of `members()`.
-  template <class F> void for_each_run_near(const Vec3& x, F&& f) const {
+  template <class F>
+  void for_each_run_near(const Vec3& x, F&& f) const {
     if (members_.empty()) return;
     std::size_t low[3], high[3];
     for (int k = 0; k < 3; ++k) {
@@ -69,7 +74,8 @@ class CellGrid {
   }
 
   /// Calls f(i, j) once for every pair i < j that can be within the cutoff; all partners of i before those of i + 1.
-  template <class F> void for_each_pair(F&& f) const {
+  template <class F>
+  void for_each_pair(F&& f) const {
     for (std::size_t i = 0; i < points_.size(); ++i)
       for_each_near(points_[i], [&](Index j) {
         if (j > i) f(Index(i), j);

@@ -13,7 +13,8 @@
 
 // One binary, the widest vectors the machine has. Bits agree between them (-ffp-contract=off). Sanitizers cannot
 // cope with the resolver functions that this makes.
-#if defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && defined(__x86_64__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
+    defined(__x86_64__)
 #define BRECCIA_VECTOR_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else
 #define BRECCIA_VECTOR_CLONES
@@ -23,29 +24,30 @@ namespace breccia {
 
 /// The geometry and motion of one pair, as its law sees it. n points from i to j.
 struct Contact {
-  double distance;          ///< of the centres [m]
-  double rest_length;       ///< bonded: distance when the bond was made; others: min(first distance, r_i + r_j) [m]
+  double distance;            ///< of the centres [m]
+  double rest_length;         ///< bonded: distance when the bond was made; others: min(first distance, r_i + r_j) [m]
   double radius_i, radius_j;  // [m]
-  double nx, ny, nz;        ///< unit normal
-  double normal_velocity;   ///< rate of the distance [m/s]
+  double nx, ny, nz;          ///< unit normal
+  double normal_velocity;     ///< rate of the distance [m/s]
   double shear_x, shear_y, shear_z;  ///< tangential motion of j relative to i at the contact point in this step [m]
-  double spin;              ///< mean rotation of the two about n in this step [rad]
+  double spin;                       ///< mean rotation of the two about n in this step [rad]
   double turn_x, turn_y, turn_z;     ///< rotation of j relative to i in this step [rad]
-  double intact;            ///< 1 while the bond holds, else 0
-  double breakable;         ///< 1 while the bond holds and may fail; 0 also if the protocol protects it (`respects_protection`)
-  double reduced_mass;      ///< m_i m_j/(m_i + m_j) [kg]
-  double time_step;         // [s]
+  double intact;                     ///< 1 while the bond holds, else 0
+  double
+      breakable;  ///< 1 while the bond holds and may fail; 0 also if the protocol protects it (`respects_protection`)
+  double reduced_mass;  ///< m_i m_j/(m_i + m_j) [kg]
+  double time_step;     // [s]
 };
 
 /// What a law answers. Tension is positive; shear and moment act on i, their opposites on j.
 struct ContactForce {
-  double normal = 0;                              // [N]
-  double shear_x = 0, shear_y = 0, shear_z = 0;   // [N]
+  double normal = 0;                                // [N]
+  double shear_x = 0, shear_y = 0, shear_z = 0;     // [N]
   double moment_x = 0, moment_y = 0, moment_z = 0;  ///< only when `has_moments` [N m]
-  double breaks = 0;                              ///< 0, or the BondState it breaks into, as a number
-  double friction_work = 0;                       ///< dissipated by sliding in this step [J]
-  double contact_work = 0;                        ///< dissipated otherwise (viscous, plastic, damage) [J]
-  double fracture_energy = 0;                     ///< stored energy lost because it broke in this step [J]
+  double breaks = 0;                                ///< 0, or the BondState it breaks into, as a number
+  double friction_work = 0;                         ///< dissipated by sliding in this step [J]
+  double contact_work = 0;                          ///< dissipated otherwise (viscous, plastic, damage) [J]
+  double fracture_energy = 0;                       ///< stored energy lost because it broke in this step [J]
 };
 
 /// Linearised stiffness for the time step: translations [N/m], rotations [N m/rad]; and the constant of a dashpot along
@@ -55,8 +57,9 @@ struct ContactStiffness {
   double damping = 0;
 };
 
-template <class State> struct StateColumn {
-  double State::* member;
+template <class State>
+struct StateColumn {
+  double State::*member;
   const char* name;
   const char* unit;
 };
@@ -72,24 +75,24 @@ struct Assembly {
 
 /// Pairs [begin, end) of the engine's arrays. `begin` is a multiple of `chunk`.
 struct PairBatch {
-  static constexpr std::size_t chunk = 64;   ///< pairs gathered at a time, and the grain of deterministic sums
+  static constexpr std::size_t chunk = 64;  ///< pairs gathered at a time, and the grain of deterministic sums
   std::size_t begin = 0, end = 0;
   const Index *i = nullptr, *j = nullptr;
   const double* rest_length = nullptr;
   BondState* state = nullptr;
-  const std::uint8_t* guarded = nullptr;     ///< 1 for pairs whose bond must not break; null when there are none
-  double* const* columns = nullptr;          ///< the law's history, one array each
+  const std::uint8_t* guarded = nullptr;  ///< 1 for pairs whose bond must not break; null when there are none
+  double* const* columns = nullptr;       ///< the law's history, one array each
   const Vec3 *position = nullptr, *velocity = nullptr, *angular_velocity = nullptr;
   const double *radius = nullptr, *mass = nullptr;
   PairForce* force = nullptr;
   Vec3* moment = nullptr;
-  bool keep_force = true;                    ///< write `force` and `moment` of all chunks, not only of those set apart
+  bool keep_force = true;  ///< write `force` and `moment` of all chunks, not only of those set apart
   /// Sums per particle, added to in the order of the pairs; none if null. Particles in `apart` are left out: they have
   /// pairs in other batches. `chunk_apart` marks the chunks with pairs of such particles.
   Vec3 *sum_force = nullptr, *sum_torque = nullptr;
   const std::uint8_t *apart = nullptr, *chunk_apart = nullptr;
   double *friction_work = nullptr, *contact_work = nullptr, *fracture_energy = nullptr;  ///< one per chunk, added to
-  std::uint8_t* chunk_broke = nullptr;       ///< one per chunk, set when a bond in it broke
+  std::uint8_t* chunk_broke = nullptr;  ///< one per chunk, set when a bond in it broke
   double time_step = 0;
 };
 

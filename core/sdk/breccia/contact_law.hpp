@@ -9,12 +9,12 @@
 ///     struct State { double spring_x, spring_y, spring_z; };    // history of one pair, doubles only
 ///     static constexpr std::array columns{StateColumn<State>{&State::spring_x, "shear_spring_x", "m"}, ...};
 ///     static constexpr bool has_moments = false;
-///     static constexpr bool respects_protection = true;         // bonds with `breakable` 0 are never damaged or broken
-///     MyLaw(const Config&, const Assembly&);                    // derive constants once
-///     BRECCIA_KERNEL State initial(const Contact&) const;
-///     BRECCIA_KERNEL ContactForce operator()(const Contact&, State&) const;   // no branches: use ?: so that it vectorises
-///     BRECCIA_KERNEL double energy(const Contact&, const State&) const;       // stored, recoverable [J]
-///     BRECCIA_KERNEL ContactStiffness stiffness(const Contact&) const;        // for the time step
+///     static constexpr bool respects_protection = true;         // bonds with `breakable` 0 are never damaged or
+///     broken MyLaw(const Config&, const Assembly&);                    // derive constants once BRECCIA_KERNEL State
+///     initial(const Contact&) const; BRECCIA_KERNEL ContactForce operator()(const Contact&, State&) const;   // no
+///     branches: use ?: so that it vectorises BRECCIA_KERNEL double energy(const Contact&, const State&) const; //
+///     stored, recoverable [J] BRECCIA_KERNEL ContactStiffness stiffness(const Contact&) const;        // for the time
+///     step
 ///   };
 ///   BRECCIA_CONTACT_LAW(MyLaw, "my_law")
 ///
@@ -36,7 +36,9 @@ namespace breccia {
 class BRECCIA_API ContactLaw : public Plugin {
  public:
   static constexpr const char* kind = "contact_law";
-  struct ColumnDoc { std::string name, unit; };
+  struct ColumnDoc {
+    std::string name, unit;
+  };
   virtual std::vector<ColumnDoc> columns() const = 0;
   virtual bool has_moments() const = 0;
   virtual bool respects_protection() const { return false; }  ///< never damages a bond that a protocol protects
@@ -44,12 +46,13 @@ class BRECCIA_API ContactLaw : public Plugin {
   virtual void initialise(const PairBatch& batch) = 0;        ///< history of new pairs
   virtual void evaluate(const PairBatch& batch) = 0;
   virtual void stiffness(const PairBatch& batch, ContactStiffness* out) = 0;  ///< out[k - begin]
-  virtual double energy(const PairBatch& batch) = 0;          ///< stored in the batch, summed in order [J]
-  virtual Json derived() const { return Json::object(); }     ///< constants it derived, for the summary
+  virtual double energy(const PairBatch& batch) = 0;       ///< stored in the batch, summed in order [J]
+  virtual Json derived() const { return Json::object(); }  ///< constants it derived, for the summary
 };
 
 /// Makes a plugin of a law struct.
-template <class Law> class ContactLawOf final : public ContactLaw {
+template <class Law>
+class ContactLawOf final : public ContactLaw {
   static_assert(std::is_trivially_copyable_v<Law>, "a law is copied into the step loop: keep containers in its Config");
   static constexpr auto all = std::make_index_sequence<Law::columns.size()>{};
 
@@ -106,7 +109,9 @@ struct PlaneVector {
 };
 BRECCIA_KERNEL PlaneVector follow_plane(const Contact& c, double x, double y, double z) {
   const double along = x * c.nx + y * c.ny + z * c.nz;
-  x -= along * c.nx; y -= along * c.ny; z -= along * c.nz;
+  x -= along * c.nx;
+  y -= along * c.ny;
+  z -= along * c.nz;
   return {x + c.spin * (c.ny * z - c.nz * y), y + c.spin * (c.nz * x - c.nx * z), z + c.spin * (c.nx * y - c.ny * x)};
 }
 

@@ -46,5 +46,4 @@ using Issues = std::vector<Issue>;
 }  // namespace breccia
 
 /// For what only a mistake in the program can cause. Stays on in release builds: not for inner loops.
-#define BRECCIA_ASSERT(condition) \
-  ((condition) ? void(0) : ::breccia::assertion_failed(#condition, __FILE__, __LINE__))
+#define BRECCIA_ASSERT(condition) ((condition) ? void(0) : ::breccia::assertion_failed(#condition, __FILE__, __LINE__))

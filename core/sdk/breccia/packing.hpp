@@ -17,13 +17,13 @@ struct AskedGot {
 
 struct PackingRequest {
   int dimension = 3;
-  double thickness = 1;       ///< [m], in two dimensions
+  double thickness = 1;  ///< [m], in two dimensions
   std::uint64_t seed = 1;
 };
 
 struct PackedParticles {
-  std::vector<Vec3> position;   ///< [m]
-  std::vector<double> radius;   ///< [m], as many
+  std::vector<Vec3> position;  ///< [m]
+  std::vector<double> radius;  ///< [m], as many
   SpecimenShape::Outline outline = SpecimenShape::Outline::cylinder;
   Vec3 axis = Vec3::UnitZ();    ///< of the cylinder, else the long direction
   double container_volume = 0;  ///< asked for [m3]; 0 when nobody did: then the measured shape counts

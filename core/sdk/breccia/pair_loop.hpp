@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The loop over pairs, instantiated inside each law's plugin: gathers a chunk into local arrays, runs the law over them
-/// as one vector loop, writes the history back and adds the forces to their particles.
+/// The loop over pairs, instantiated inside each law's plugin: gathers a chunk into local arrays, runs the law over
+/// them as one vector loop, writes the history back and adds the forces to their particles.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,8 @@ namespace detail {
 
 // The member pointer must be a constant for the compiler's front end: read at run time from the table it would take the
 // State's address, keep it in memory and stop the loop from vectorising. An aggregate initialiser would do the same.
-template <class Law, std::size_t K> BRECCIA_KERNEL double& column_of(typename Law::State& s) {
+template <class Law, std::size_t K>
+BRECCIA_KERNEL double& column_of(typename Law::State& s) {
   constexpr auto member = Law::columns[K].member;
   return s.*member;
 }
@@ -29,7 +30,8 @@ BRECCIA_KERNEL void store_state(typename Law::State& s, double* const* h, std::s
   ((h[K][k] = column_of<Law, K>(s)), ...);
 }
 /// The history of one chunk after the step.
-template <class Law> struct alignas(64) NewState {
+template <class Law>
+struct alignas(64) NewState {
   double column[Law::columns.size() + 1][PairBatch::chunk];
 };
 template <class Law, std::size_t... K>
@@ -52,12 +54,24 @@ BRECCIA_KERNEL void gather(const PairBatch& b, std::size_t first, std::size_t n,
     const double *xi = b.position[i].data(), *xj = b.position[j].data();
     const double *vi = b.velocity[i].data(), *vj = b.velocity[j].data();
     const double *wi = b.angular_velocity[i].data(), *wj = b.angular_velocity[j].data();
-    g.dx[k] = xj[0] - xi[0]; g.dy[k] = xj[1] - xi[1]; g.dz[k] = xj[2] - xi[2];
-    g.vx[k] = vj[0] - vi[0]; g.vy[k] = vj[1] - vi[1]; g.vz[k] = vj[2] - vi[2];
-    g.wix[k] = wi[0]; g.wiy[k] = wi[1]; g.wiz[k] = wi[2];
-    g.wjx[k] = wj[0]; g.wjy[k] = wj[1]; g.wjz[k] = wj[2];
-    g.ri[k] = b.radius[i]; g.rj[k] = b.radius[j];
-    if constexpr (with_mass) { g.mi[k] = b.mass[i]; g.mj[k] = b.mass[j]; }
+    g.dx[k] = xj[0] - xi[0];
+    g.dy[k] = xj[1] - xi[1];
+    g.dz[k] = xj[2] - xi[2];
+    g.vx[k] = vj[0] - vi[0];
+    g.vy[k] = vj[1] - vi[1];
+    g.vz[k] = vj[2] - vi[2];
+    g.wix[k] = wi[0];
+    g.wiy[k] = wi[1];
+    g.wiz[k] = wi[2];
+    g.wjx[k] = wj[0];
+    g.wjy[k] = wj[1];
+    g.wjz[k] = wj[2];
+    g.ri[k] = b.radius[i];
+    g.rj[k] = b.radius[j];
+    if constexpr (with_mass) {
+      g.mi[k] = b.mass[i];
+      g.mj[k] = b.mass[j];
+    }
     g.intact[k] = b.state[first + k] == BondState::intact ? 1.0 : 0.0;
   }
   if constexpr (guarded)
@@ -74,17 +88,22 @@ BRECCIA_KERNEL Contact contact_of(const Gathered& g, std::size_t k, double rest_
   c.rest_length = rest_length;
   c.radius_i = g.ri[k];
   c.radius_j = g.rj[k];
-  c.nx = g.dx[k] * inverse; c.ny = g.dy[k] * inverse; c.nz = g.dz[k] * inverse;
+  c.nx = g.dx[k] * inverse;
+  c.ny = g.dy[k] * inverse;
+  c.nz = g.dz[k] * inverse;
   c.normal_velocity = g.vx[k] * c.nx + g.vy[k] * c.ny + g.vz[k] * c.nz;
   // Velocity of j relative to i at the contact point: v_j - v_i - (a_i w_i + a_j w_j) x n, with lever arms a.
   const double half_gap = 0.5 * (d - g.ri[k] - g.rj[k]);
   const double ai = g.ri[k] + half_gap, aj = g.rj[k] + half_gap;
-  const double px = ai * g.wix[k] + aj * g.wjx[k], py = ai * g.wiy[k] + aj * g.wjy[k], pz = ai * g.wiz[k] + aj * g.wjz[k];
+  const double px = ai * g.wix[k] + aj * g.wjx[k], py = ai * g.wiy[k] + aj * g.wjy[k],
+               pz = ai * g.wiz[k] + aj * g.wjz[k];
   c.shear_x = dt * (g.vx[k] - c.normal_velocity * c.nx - (py * c.nz - pz * c.ny));
   c.shear_y = dt * (g.vy[k] - c.normal_velocity * c.ny - (pz * c.nx - px * c.nz));
   c.shear_z = dt * (g.vz[k] - c.normal_velocity * c.nz - (px * c.ny - py * c.nx));
   c.spin = 0.5 * dt * ((g.wix[k] + g.wjx[k]) * c.nx + (g.wiy[k] + g.wjy[k]) * c.ny + (g.wiz[k] + g.wjz[k]) * c.nz);
-  c.turn_x = dt * (g.wjx[k] - g.wix[k]); c.turn_y = dt * (g.wjy[k] - g.wiy[k]); c.turn_z = dt * (g.wjz[k] - g.wiz[k]);
+  c.turn_x = dt * (g.wjx[k] - g.wix[k]);
+  c.turn_y = dt * (g.wjy[k] - g.wiy[k]);
+  c.turn_z = dt * (g.wjz[k] - g.wiz[k]);
   c.intact = g.intact[k];
   c.breakable = guarded ? g.breakable[k] : g.intact[k];
   if constexpr (with_mass) c.reduced_mass = g.mi[k] * g.mj[k] / (g.mi[k] + g.mj[k]);
@@ -93,15 +112,18 @@ BRECCIA_KERNEL Contact contact_of(const Gathered& g, std::size_t k, double rest_
   return c;
 }
 
-template <class Law> constexpr bool law_has_moments() {
+template <class Law>
+constexpr bool law_has_moments() {
   if constexpr (requires { Law::has_moments; }) return Law::has_moments;
   else return false;
 }
-template <class Law> constexpr bool law_respects_protection() {
+template <class Law>
+constexpr bool law_respects_protection() {
   if constexpr (requires { Law::respects_protection; }) return Law::respects_protection;
   else return false;
 }
-template <class Law> constexpr bool law_needs_mass() {
+template <class Law>
+constexpr bool law_needs_mass() {
   if constexpr (requires { Law::needs_mass; }) return Law::needs_mass;
   else return false;
 }
@@ -128,15 +150,29 @@ BRECCIA_KERNEL void evaluate_lane(const Law& law, const Gathered& g, double* con
   out.fx[k] = f.normal * c.nx + f.shear_x;
   out.fy[k] = f.normal * c.ny + f.shear_y;
   out.fz[k] = f.normal * c.nz + f.shear_z;
-  const double tx = c.ny * f.shear_z - c.nz * f.shear_y, ty = c.nz * f.shear_x - c.nx * f.shear_z, tz = c.nx * f.shear_y - c.ny * f.shear_x;
-  const double half_gap = 0.5 * (c.distance - c.radius_i - c.radius_j), ai = c.radius_i + half_gap, aj = c.radius_j + half_gap;
-  out.tx[k] = tx; out.ty[k] = ty; out.tz[k] = tz;
-  out.tix[k] = ai * tx; out.tiy[k] = ai * ty; out.tiz[k] = ai * tz;
-  out.tjx[k] = aj * tx; out.tjy[k] = aj * ty; out.tjz[k] = aj * tz;
+  const double tx = c.ny * f.shear_z - c.nz * f.shear_y, ty = c.nz * f.shear_x - c.nx * f.shear_z,
+               tz = c.nx * f.shear_y - c.ny * f.shear_x;
+  const double half_gap = 0.5 * (c.distance - c.radius_i - c.radius_j), ai = c.radius_i + half_gap,
+               aj = c.radius_j + half_gap;
+  out.tx[k] = tx;
+  out.ty[k] = ty;
+  out.tz[k] = tz;
+  out.tix[k] = ai * tx;
+  out.tiy[k] = ai * ty;
+  out.tiz[k] = ai * tz;
+  out.tjx[k] = aj * tx;
+  out.tjy[k] = aj * ty;
+  out.tjz[k] = aj * tz;
   if constexpr (law_has_moments<Law>()) {
-    out.mx[k] = f.moment_x; out.my[k] = f.moment_y; out.mz[k] = f.moment_z;
-    out.tix[k] += f.moment_x; out.tiy[k] += f.moment_y; out.tiz[k] += f.moment_z;
-    out.tjx[k] -= f.moment_x; out.tjy[k] -= f.moment_y; out.tjz[k] -= f.moment_z;
+    out.mx[k] = f.moment_x;
+    out.my[k] = f.moment_y;
+    out.mz[k] = f.moment_z;
+    out.tix[k] += f.moment_x;
+    out.tiy[k] += f.moment_y;
+    out.tiz[k] += f.moment_z;
+    out.tjx[k] -= f.moment_x;
+    out.tjy[k] -= f.moment_y;
+    out.tjz[k] -= f.moment_z;
   }
   out.half_gap[k] = half_gap;
   out.breaks[k] = f.breaks;
@@ -147,30 +183,41 @@ BRECCIA_KERNEL void evaluate_lane(const Law& law, const Gathered& g, double* con
 
 /// Writes back the columns that a step has changed. Most are still for most of the time, and memory that is only read
 /// costs half as much.
-template <class Law> BRECCIA_KERNEL void write_back(const NewState<Law>& next, double* const* h, std::size_t n) {
+template <class Law>
+BRECCIA_KERNEL void write_back(const NewState<Law>& next, double* const* h, std::size_t n) {
   for (std::size_t c = 0; c < Law::columns.size(); ++c) {
     const double* from = next.column[c];
     double* to = h[c];
     std::uint64_t differs = 0;
-    for (std::size_t k = 0; k < n; ++k) differs |= std::bit_cast<std::uint64_t>(from[k]) ^ std::bit_cast<std::uint64_t>(to[k]);
+    for (std::size_t k = 0; k < n; ++k)
+      differs |= std::bit_cast<std::uint64_t>(from[k]) ^ std::bit_cast<std::uint64_t>(to[k]);
     if (differs)
       for (std::size_t k = 0; k < n; ++k) to[k] = from[k];
   }
 }
 
 /// Adds a chunk to the sums of its particles, pair by pair.
-template <bool some_apart> BRECCIA_KERNEL void add_up(const PairBatch& b, std::size_t first, std::size_t n, const Evaluated& e) {
+template <bool some_apart>
+BRECCIA_KERNEL void add_up(const PairBatch& b, std::size_t first, std::size_t n, const Evaluated& e) {
   for (std::size_t k = 0; k < n; ++k) {
     const Index i = b.i[first + k], j = b.j[first + k];
     if (!some_apart || !b.apart[i]) {
       double *f = b.sum_force[i].data(), *t = b.sum_torque[i].data();
-      f[0] += e.fx[k]; f[1] += e.fy[k]; f[2] += e.fz[k];
-      t[0] += e.tix[k]; t[1] += e.tiy[k]; t[2] += e.tiz[k];
+      f[0] += e.fx[k];
+      f[1] += e.fy[k];
+      f[2] += e.fz[k];
+      t[0] += e.tix[k];
+      t[1] += e.tiy[k];
+      t[2] += e.tiz[k];
     }
     if (!some_apart || !b.apart[j]) {
       double *f = b.sum_force[j].data(), *t = b.sum_torque[j].data();
-      f[0] -= e.fx[k]; f[1] -= e.fy[k]; f[2] -= e.fz[k];
-      t[0] += e.tjx[k]; t[1] += e.tjy[k]; t[2] += e.tjz[k];
+      f[0] -= e.fx[k];
+      f[1] -= e.fy[k];
+      f[2] -= e.fz[k];
+      t[0] += e.tjx[k];
+      t[1] += e.tjy[k];
+      t[2] += e.tjz[k];
     }
   }
 }
@@ -228,7 +275,8 @@ BRECCIA_VECTOR_CLONES void evaluate_pairs(const Law law, const PairBatch& b) {
 }
 
 /// Calls `f(contact, k)` for each pair of the batch: for what is done rarely.
-template <class Law, class F> void for_each_contact(const PairBatch& b, F&& f) {
+template <class Law, class F>
+void for_each_contact(const PairBatch& b, F&& f) {
   Gathered g;
   for (std::size_t k = b.begin; k < b.end; ++k) {
     gather<true, false>(b, k, 1, g);

@@ -29,12 +29,15 @@ class BRECCIA_API Factory {
 };
 
 /// `P` has a nested `Config`, `static void describe(Schema<Config>&)` and a constructor from `const Config&`.
-template <class P> class FactoryOf final : public Factory {
+template <class P>
+class FactoryOf final : public Factory {
  public:
   FactoryOf() { P::describe(schema_); }
   const Documentation& documentation() const override { return schema_.documentation(); }
   Issues check(const Json& config) const override { return schema_.check(config); }
-  std::unique_ptr<Plugin> create(const Json& config) const override { return std::make_unique<P>(schema_.load(config)); }
+  std::unique_ptr<Plugin> create(const Json& config) const override {
+    return std::make_unique<P>(schema_.load(config));
+  }
 
  private:
   Schema<typename P::Config> schema_;
@@ -46,10 +49,10 @@ extern "C" {
 
 /// Plain C: readable whatever the compiler that made it. The first four members never change place.
 struct BrecciaPluginDescriptor {
-  char magic[8];               ///< "BRECCIA" and a zero
+  char magic[8];  ///< "BRECCIA" and a zero
   std::uint32_t sdk_abi;
   std::uint32_t descriptor_size;
-  const char* compiler;        ///< family and ABI version of the compiler
+  const char* compiler;  ///< family and ABI version of the compiler
   const char* standard_library;
   std::uint32_t size_of_json, size_of_string, size_of_vec3, size_of_param_spec;
   const char* kind;
@@ -71,10 +74,19 @@ struct BrecciaPluginDescriptor {
 namespace breccia {
 constexpr BrecciaPluginDescriptor make_descriptor(const char* kind, const char* name, const char* version,
                                                   Factory* (*factory)()) {
-  return {{'B', 'R', 'E', 'C', 'C', 'I', 'A', 0}, BRECCIA_SDK_ABI, sizeof(BrecciaPluginDescriptor),
-          BRECCIA_COMPILER_ABI, BRECCIA_STDLIB_ABI,
-          sizeof(Json), sizeof(std::string), sizeof(Vec3), sizeof(ParamSpec),
-          kind, name, version, factory};
+  return {{'B', 'R', 'E', 'C', 'C', 'I', 'A', 0},
+          BRECCIA_SDK_ABI,
+          sizeof(BrecciaPluginDescriptor),
+          BRECCIA_COMPILER_ABI,
+          BRECCIA_STDLIB_ABI,
+          sizeof(Json),
+          sizeof(std::string),
+          sizeof(Vec3),
+          sizeof(ParamSpec),
+          kind,
+          name,
+          version,
+          factory};
 }
 }  // namespace breccia
 
@@ -83,11 +95,11 @@ constexpr BrecciaPluginDescriptor make_descriptor(const char* kind, const char* 
 #endif
 
 /// Last line of a plugin: its class, its kind and the name it has in workflows.
-#define BRECCIA_PLUGIN(Class, kind, name)                                                        \
-  static ::breccia::Factory* breccia_make_factory() {                                           \
-    static ::breccia::FactoryOf<Class> factory;                                                  \
-    return &factory;                                                                             \
-  }                                                                                              \
-  extern "C" BRECCIA_API const BrecciaPluginDescriptor breccia_plugin;                           \
-  const BrecciaPluginDescriptor breccia_plugin =                                                 \
+#define BRECCIA_PLUGIN(Class, kind, name)                              \
+  static ::breccia::Factory* breccia_make_factory() {                  \
+    static ::breccia::FactoryOf<Class> factory;                        \
+    return &factory;                                                   \
+  }                                                                    \
+  extern "C" BRECCIA_API const BrecciaPluginDescriptor breccia_plugin; \
+  const BrecciaPluginDescriptor breccia_plugin =                       \
       ::breccia::make_descriptor(kind, name, BRECCIA_PLUGIN_VERSION, &breccia_make_factory);

@@ -11,7 +11,7 @@ namespace breccia {
 class BRECCIA_API Postprocessor : public Plugin {
  public:
   static constexpr const char* kind = "postprocessor";
-  virtual void begin(const SimulationView&, Recorder&, Host&) {}          ///< before the first step: adds columns
+  virtual void begin(const SimulationView&, Recorder&, Host&) {}  ///< before the first step: adds columns
   /// Curves that `finish` will ask for, whoever writes them: checked before the first step rather than after the last.
   virtual std::vector<std::string> needed_curves() const { return {}; }
   virtual void start_of_loading(const SimulationView&) {}                 ///< the reference state for strains

@@ -12,19 +12,20 @@ namespace breccia {
 /// Coulomb friction.
 struct WallSpec {
   std::string name;
-  Vec3 point = Vec3::Zero();          ///< of the plane, or of the cylinder's axis [m]
-  Vec3 normal = Vec3::UnitZ();        ///< toward the specimen; of a cylinder the direction of its axis
-  double normal_stiffness = 0;        ///< [N/m]
-  double shear_stiffness = 0;         ///< [N/m]; 0 without friction
+  Vec3 point = Vec3::Zero();    ///< of the plane, or of the cylinder's axis [m]
+  Vec3 normal = Vec3::UnitZ();  ///< toward the specimen; of a cylinder the direction of its axis
+  double normal_stiffness = 0;  ///< [N/m]
+  double shear_stiffness = 0;   ///< [N/m]; 0 without friction
   double friction = 0;
-  double cylinder_radius = 0;         ///< above zero: a cylinder of this radius, else a plane [m]
+  double cylinder_radius = 0;  ///< above zero: a cylinder of this radius, else a plane [m]
 };
 
 /// How stiff the bonds of a specimen are, from the law: for what must scale with the material instead of being tuned.
 struct BondStiffness {
-  double mean_normal = 0;   ///< mean normal stiffness of the bonds [N/m]
-  double modulus = 0;       ///< (1/V) sum over bonds of length^2 x normal stiffness/dimension: the order of Young's modulus [Pa]
-  double wave_speed = 0;    ///< sqrt(modulus V/mass) [m/s]
+  double mean_normal = 0;  ///< mean normal stiffness of the bonds [N/m]
+  double modulus =
+      0;  ///< (1/V) sum over bonds of length^2 x normal stiffness/dimension: the order of Young's modulus [Pa]
+  double wave_speed = 0;  ///< sqrt(modulus V/mass) [m/s]
 };
 
 /// What a protocol may change, before the first step and at each step.
@@ -35,8 +36,8 @@ class LoadControl {
   /// Holds the velocity components in `mask` (bits of `dof`) of a particle at the given values.
   virtual void hold(Index particle, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity) = 0;
   virtual void release(Index particle, std::uint8_t mask) = 0;
-  /// A force without torque; stays until set again [N]. `moment` says where it acts, for the mean stress: the sum over its
-  /// parts of (point - centre) (x) force [N m].
+  /// A force without torque; stays until set again [N]. `moment` says where it acts, for the mean stress: the sum over
+  /// its parts of (point - centre) (x) force [N m].
   virtual void set_applied_force(Index particle, const Vec3& force, const Mat3& moment) = 0;
   /// The specimen is loaded along this coordinate direction; by default along the axis of its packing. Only in `setup`.
   /// Returns what it measures along that axis.
@@ -48,10 +49,10 @@ class LoadControl {
   virtual void protect_bond(Index bond) = 0;
   virtual double time() const = 0;
   virtual double time_step() const = 0;
-  virtual ParticlesView particles() const = 0;             ///< as the last step left them
-  virtual Vec3 wall_force(std::size_t wall) const = 0;     ///< of the particles on the wall, in the last step [N]
+  virtual ParticlesView particles() const = 0;                 ///< as the last step left them
+  virtual Vec3 wall_force(std::size_t wall) const = 0;         ///< of the particles on the wall, in the last step [N]
   virtual Vec3 wall_displacement(std::size_t wall) const = 0;  ///< since the start of loading [m]
-  virtual BondStiffness bond_stiffness() = 0;              ///< of the intact bonds; costs a pass over them
+  virtual BondStiffness bond_stiffness() = 0;                  ///< of the intact bonds; costs a pass over them
 
  protected:
   ~LoadControl() = default;
@@ -68,7 +69,7 @@ class BRECCIA_API Protocol : public Plugin {
   virtual void step(LoadControl& control) = 0;
   /// At each sample, with forces and positions of the same instant; fills its columns and may end the run.
   virtual Progress sample(const SimulationView& view, LoadControl& control, Recorder& recorder) = 0;
-  virtual double share_done() const = 0;         ///< estimate, 0 to 1, for the progress bar
+  virtual double share_done() const = 0;             ///< estimate, 0 to 1, for the progress bar
   virtual std::string status() const { return {}; }  ///< a few words for it ("stress 120 MPa")
   virtual void finish(const SimulationView&, const Curves&, Summary&) {}
   /// Everything that changes while it runs, as one trivially copyable object: goes into checkpoints.

@@ -25,17 +25,17 @@ struct ComparisonRequest {
 /// One chart of a parameter study: a measured quantity over another or over a parameter.
 struct StudyChart {
   struct Axis {
-    std::string title;              ///< "tension shape", without the unit
-    std::string unit;               ///< SI; "1" for a pure number
+    std::string title;  ///< "tension shape", without the unit
+    std::string unit;   ///< SI; "1" for a pure number
   };
   struct Series {
-    std::string label;              ///< empty when it is the only one
-    std::vector<double> x, y;       ///< SI, equally many; what is not finite is not drawn
-    bool joined;                    ///< by a line, in their order; else points only
+    std::string label;         ///< empty when it is the only one
+    std::vector<double> x, y;  ///< SI, equally many; what is not finite is not drawn
+    bool joined;               ///< by a line, in their order; else points only
   };
   Axis x, y;
-  std::vector<Series> series;       ///< in the order of the legend
-  std::filesystem::path file;       ///< of the picture, without an ending
+  std::vector<Series> series;  ///< in the order of the legend
+  std::filesystem::path file;  ///< of the picture, without an ending
 };
 
 class BRECCIA_API Renderer : public Plugin {

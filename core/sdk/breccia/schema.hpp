@@ -37,14 +37,14 @@ enum class ParamType {
   integer,
   boolean,
   text,
-  choice,         ///< one of `choices`; JSON string
-  path,           ///< a file, relative to the workflow; JSON string, made absolute by the parser
-  group,          ///< mapping with `members`; JSON object
-  group_list,     ///< sequence of such mappings; JSON array
-  plugin,         ///< mapping with `type: NAME` and that plugin's own parameters; JSON object with "type"
+  choice,      ///< one of `choices`; JSON string
+  path,        ///< a file, relative to the workflow; JSON string, made absolute by the parser
+  group,       ///< mapping with `members`; JSON object
+  group_list,  ///< sequence of such mappings; JSON array
+  plugin,      ///< mapping with `type: NAME` and that plugin's own parameters; JSON object with "type"
   plugin_list,
-  free_form,      ///< any mapping, kept as it stands (reference values); JSON object
-  text_list       ///< sequence of texts; JSON array
+  free_form,  ///< any mapping, kept as it stands (reference values); JSON object
+  text_list   ///< sequence of texts; JSON array
 };
 
 struct Bound {
@@ -60,26 +60,26 @@ struct Choice {
 struct ParamSpec {
   std::string name;
   ParamType type = ParamType::quantity;
-  std::string unit = "1";                ///< SI unit of the JSON value; "1" for a pure number
+  std::string unit = "1";  ///< SI unit of the JSON value; "1" for a pure number
   std::string doc, source, example;
   bool required = true;
-  Json fallback;                         ///< the default, in the form of the JSON value; null: none
+  Json fallback;  ///< the default, in the form of the JSON value; null: none
   std::optional<Bound> lower, upper;
   std::vector<Choice> choices;
-  std::size_t min_items = 0, max_items = SIZE_MAX;  ///< of a list
-  std::string plugin_kind;               ///< of a plugin or plugin_list
-  std::vector<ParamSpec> members;        ///< of a group or group_list
+  std::size_t min_items = 0, max_items = SIZE_MAX;                       ///< of a list
+  std::string plugin_kind;                                               ///< of a plugin or plugin_list
+  std::vector<ParamSpec> members;                                        ///< of a group or group_list
   std::vector<std::vector<std::string>> exactly_one_of, at_most_one_of;  ///< among `members`
-  std::map<std::string, std::string> removed;  ///< retired member -> what to write instead
+  std::map<std::string, std::string> removed;                            ///< retired member -> what to write instead
 };
 
 /// What `describe` prints of a plugin, and what its section in a workflow must look like.
 struct Documentation {
-  std::string summary;   ///< one line
-  std::string details;   ///< Markdown: equations, choices made
-  std::string source;    ///< paper and equations
+  std::string summary;  ///< one line
+  std::string details;  ///< Markdown: equations, choices made
+  std::string source;   ///< paper and equations
   std::string licence = "BSD-3-Clause";
-  ParamSpec root;        ///< a group
+  ParamSpec root;  ///< a group
 };
 
 /// A plugin picked in the workflow: its name and its checked parameters.
@@ -88,17 +88,30 @@ struct PluginChoice {
   Json config = Json::object();
 };
 
-template <class T> class Schema;
+template <class T>
+class Schema;
 
 namespace detail {
 
-template <class M> struct is_optional : std::false_type {};
-template <class M> struct is_optional<std::optional<M>> : std::true_type { using inner = M; };
-template <class M> struct is_vector : std::false_type {};
-template <class M> struct is_vector<std::vector<M>> : std::true_type { using inner = M; };
-template <class M> concept Described = requires(Schema<M>& s) { M::describe(s); };
+template <class M>
+struct is_optional : std::false_type {};
+template <class M>
+struct is_optional<std::optional<M>> : std::true_type {
+  using inner = M;
+};
+template <class M>
+struct is_vector : std::false_type {};
+template <class M>
+struct is_vector<std::vector<M>> : std::true_type {
+  using inner = M;
+};
+template <class M>
+concept Described = requires(Schema<M>& s) {
+  M::describe(s);
+};
 
-template <class M> constexpr ParamType param_type() {
+template <class M>
+constexpr ParamType param_type() {
   if constexpr (is_optional<M>::value) return param_type<typename is_optional<M>::inner>();
   else if constexpr (std::is_same_v<M, bool>) return ParamType::boolean;
   else if constexpr (std::is_integral_v<M>) return ParamType::integer;
@@ -115,29 +128,67 @@ template <class M> constexpr ParamType param_type() {
   else return ParamType::group;
 }
 
-template <class M> void load_value(const Json& j, M& m);
+template <class M>
+void load_value(const Json& j, M& m);
 
 }  // namespace detail
 
 /// Chained after `Schema::param`; each call fills one field of the `ParamSpec`.
-template <class M> class ParamBuilder {
+template <class M>
+class ParamBuilder {
  public:
   ParamBuilder(std::vector<ParamSpec>& all, std::size_t at, std::map<std::string, long>* names)
       : all_(all), at_(at), names_(names) {}
-  ParamBuilder& unit(std::string u) { spec().unit = std::move(u); return *this; }
-  ParamBuilder& doc(std::string d) { spec().doc = std::move(d); return *this; }
-  ParamBuilder& source(std::string s) { spec().source = std::move(s); return *this; }
-  ParamBuilder& example(std::string e) { spec().example = std::move(e); return *this; }
-  ParamBuilder& above(double v) { spec().lower = Bound{v, false}; return *this; }
-  ParamBuilder& at_least(double v) { spec().lower = Bound{v, true}; return *this; }
-  ParamBuilder& below(double v) { spec().upper = Bound{v, false}; return *this; }
-  ParamBuilder& at_most(double v) { spec().upper = Bound{v, true}; return *this; }
-  ParamBuilder& items(std::size_t low, std::size_t high) { spec().min_items = low; spec().max_items = high; return *this; }
-  ParamBuilder& kind(std::string k) { spec().plugin_kind = std::move(k); return *this; }
+  ParamBuilder& unit(std::string u) {
+    spec().unit = std::move(u);
+    return *this;
+  }
+  ParamBuilder& doc(std::string d) {
+    spec().doc = std::move(d);
+    return *this;
+  }
+  ParamBuilder& source(std::string s) {
+    spec().source = std::move(s);
+    return *this;
+  }
+  ParamBuilder& example(std::string e) {
+    spec().example = std::move(e);
+    return *this;
+  }
+  ParamBuilder& above(double v) {
+    spec().lower = Bound{v, false};
+    return *this;
+  }
+  ParamBuilder& at_least(double v) {
+    spec().lower = Bound{v, true};
+    return *this;
+  }
+  ParamBuilder& below(double v) {
+    spec().upper = Bound{v, false};
+    return *this;
+  }
+  ParamBuilder& at_most(double v) {
+    spec().upper = Bound{v, true};
+    return *this;
+  }
+  ParamBuilder& items(std::size_t low, std::size_t high) {
+    spec().min_items = low;
+    spec().max_items = high;
+    return *this;
+  }
+  ParamBuilder& kind(std::string k) {
+    spec().plugin_kind = std::move(k);
+    return *this;
+  }
   /// The value taken when the key is absent, in SI (for a choice: its name; for a group or list: JSON).
-  ParamBuilder& fallback(Json v) { spec().fallback = std::move(v); spec().required = false; return *this; }
+  ParamBuilder& fallback(Json v) {
+    spec().fallback = std::move(v);
+    spec().required = false;
+    return *this;
+  }
   /// One admissible name of an enumeration.
-  template <class E> ParamBuilder& choice(std::string name, E value, std::string doc) {
+  template <class E>
+  ParamBuilder& choice(std::string name, E value, std::string doc) {
     (*names_)[name] = static_cast<long>(value);
     spec().choices.push_back({std::move(name), std::move(doc)});
     return *this;
@@ -150,20 +201,43 @@ template <class M> class ParamBuilder {
   std::map<std::string, long>* names_;
 };
 
-template <class T> class Schema {
+template <class T>
+class Schema {
  public:
   Schema() { doc_.root.type = ParamType::group; }
 
-  Schema& summary(std::string s) { doc_.summary = std::move(s); return *this; }
-  Schema& details(std::string s) { doc_.details = std::move(s); return *this; }
-  Schema& source(std::string s) { doc_.source = std::move(s); return *this; }
-  Schema& licence(std::string s) { doc_.licence = std::move(s); return *this; }
-  Schema& exactly_one_of(std::vector<std::string> names) { doc_.root.exactly_one_of.push_back(std::move(names)); return *this; }
-  Schema& at_most_one_of(std::vector<std::string> names) { doc_.root.at_most_one_of.push_back(std::move(names)); return *this; }
-  Schema& removed(std::string name, std::string hint) { doc_.root.removed[std::move(name)] = std::move(hint); return *this; }
+  Schema& summary(std::string s) {
+    doc_.summary = std::move(s);
+    return *this;
+  }
+  Schema& details(std::string s) {
+    doc_.details = std::move(s);
+    return *this;
+  }
+  Schema& source(std::string s) {
+    doc_.source = std::move(s);
+    return *this;
+  }
+  Schema& licence(std::string s) {
+    doc_.licence = std::move(s);
+    return *this;
+  }
+  Schema& exactly_one_of(std::vector<std::string> names) {
+    doc_.root.exactly_one_of.push_back(std::move(names));
+    return *this;
+  }
+  Schema& at_most_one_of(std::vector<std::string> names) {
+    doc_.root.at_most_one_of.push_back(std::move(names));
+    return *this;
+  }
+  Schema& removed(std::string name, std::string hint) {
+    doc_.root.removed[std::move(name)] = std::move(hint);
+    return *this;
+  }
 
   /// Declares a parameter. A `std::optional` member may be left out; others need a value or a fallback.
-  template <class M> ParamBuilder<M> param(std::string name, M T::* member) {
+  template <class M>
+  ParamBuilder<M> param(std::string name, M T::*member) {
     ParamSpec p;
     p.name = name;
     p.type = detail::param_type<M>();
@@ -181,13 +255,16 @@ template <class T> class Schema {
   }
   /// Of a member that the configuration inherits.
   template <class M, class Base>
-    requires(std::is_base_of_v<Base, T> && !std::is_same_v<Base, T>)
-  ParamBuilder<M> param(std::string name, M Base::* member) {
+  requires(std::is_base_of_v<Base, T> && !std::is_same_v<Base, T>) ParamBuilder<M> param(std::string name,
+                                                                                         M Base::*member) {
     return param(std::move(name), static_cast<M T::*>(member));
   }
 
   /// A rule between parameters, for what ranges cannot say; adds to the issues what is wrong.
-  Schema& check(std::function<void(const T&, Issues&)> rule) { rules_.push_back(std::move(rule)); return *this; }
+  Schema& check(std::function<void(const T&, Issues&)> rule) {
+    rules_.push_back(std::move(rule));
+    return *this;
+  }
 
   T load(const Json& j) const {
     T t{};
@@ -203,7 +280,8 @@ template <class T> class Schema {
   const Documentation& documentation() const { return doc_; }
 
  private:
-  template <class M> static void describe_members(ParamSpec& p) {
+  template <class M>
+  static void describe_members(ParamSpec& p) {
     if constexpr (detail::is_optional<M>::value) {
       describe_members<typename detail::is_optional<M>::inner>(p);
     } else if constexpr (detail::Described<M>) {
@@ -212,7 +290,8 @@ template <class T> class Schema {
       if constexpr (detail::Described<typename M::value_type>) take_group<typename M::value_type>(p);
     }
   }
-  template <class G> static void take_group(ParamSpec& p) {
+  template <class G>
+  static void take_group(ParamSpec& p) {
     Schema<G> s;
     G::describe(s);
     const ParamSpec& r = s.documentation().root;
@@ -221,7 +300,8 @@ template <class T> class Schema {
     p.at_most_one_of = r.at_most_one_of;
     p.removed = r.removed;
   }
-  template <class M> static void load_member(const Json& j, M& m, const std::map<std::string, long>& names) {
+  template <class M>
+  static void load_member(const Json& j, M& m, const std::map<std::string, long>& names) {
     if constexpr (detail::is_optional<M>::value) {
       typename detail::is_optional<M>::inner v{};
       load_member(j, v, names);
@@ -238,7 +318,8 @@ template <class T> class Schema {
   std::vector<std::function<void(const T&, Issues&)>> rules_;
 };
 
-template <class M> void detail::load_value(const Json& j, M& m) {
+template <class M>
+void detail::load_value(const Json& j, M& m) {
   if constexpr (std::is_same_v<M, std::filesystem::path>) {
     m = j.get<std::string>();
   } else if constexpr (std::is_same_v<M, Vec3>) {

@@ -18,7 +18,7 @@ class Host {
   virtual void warn(std::string_view text) = 0;
   /// Share done of a long piece of work, 0 to 1.
   virtual void progress(std::string_view what, double done) = 0;
-  virtual bool cancelled() const = 0;   ///< true once the user pressed Ctrl-C: stop soon, leave things whole
+  virtual bool cancelled() const = 0;  ///< true once the user pressed Ctrl-C: stop soon, leave things whole
   virtual int threads() const = 0;
 
  protected:
@@ -26,16 +26,16 @@ class Host {
 };
 
 struct Column {
-  std::string name;   ///< unique, lower case with underscores, without the unit
-  std::string unit;   ///< SI; "1" for a pure number
+  std::string name;  ///< unique, lower case with underscores, without the unit
+  std::string unit;  ///< SI; "1" for a pure number
   std::string doc;
 };
 
 /// The rows of curves.csv. A plugin adds its columns in `begin` or `setup` and fills them at each sample.
 class Recorder {
  public:
-  virtual std::size_t add(Column column) = 0;               ///< a name taken twice is the user's error
-  virtual void set(std::size_t column, double value) = 0;   ///< in the row of the current sample
+  virtual std::size_t add(Column column) = 0;              ///< a name taken twice is the user's error
+  virtual void set(std::size_t column, double value) = 0;  ///< in the row of the current sample
  protected:
   ~Recorder() = default;
 };
@@ -47,15 +47,16 @@ class Curves {
   /// All values of a column in order of the samples. UserError with a suggestion when there is no such name.
   virtual std::span<const double> column(std::string_view name) const = 0;
   virtual std::size_t rows() const = 0;
+
  protected:
   ~Curves() = default;
 };
 
 /// Numbers that are neither a curve nor a single result: a histogram, say. Written as tables/<name>.csv.
 struct Table {
-  std::string name;                          ///< lower case with underscores; each once in a run
+  std::string name;  ///< lower case with underscores; each once in a run
   std::vector<Column> columns;
-  std::vector<std::vector<double>> values;   ///< one per column, equally long; NaN is written as an empty cell
+  std::vector<std::vector<double>> values;  ///< one per column, equally long; NaN is written as an empty cell
 };
 
 /// summary.json. Keys carry their SI unit ("peak_stress_Pa").

@@ -8,13 +8,13 @@
 
 namespace breccia {
 
-using Vec3 = Eigen::Vector3d;    ///< unaligned 24-byte vector: arrays of it are VTK's layout
+using Vec3 = Eigen::Vector3d;  ///< unaligned 24-byte vector: arrays of it are VTK's layout
 using Mat3 = Eigen::Matrix3d;
-using Index = std::uint32_t;     ///< a particle, pair, bond or wall; 32 bits keep the pair list small
+using Index = std::uint32_t;  ///< a particle, pair, bond or wall; 32 bits keep the pair list small
 
 /// What became of the cohesive bond of a pair. The values are part of the file format.
 enum class BondState : std::uint8_t {
-  unbonded = 0,        ///< touching or nearby, never glued
+  unbonded = 0,  ///< touching or nearby, never glued
   intact = 1,
   broken_tension = 2,
   broken_shear = 3,

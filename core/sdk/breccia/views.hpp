@@ -18,45 +18,46 @@ struct SpecimenShape {
   enum class Outline {
     cylinder,
     box,
-    ellipsoid,   ///< a sphere before loading
-    irregular    ///< whatever the container was: its volume was given, the cross-section is volume/height
+    ellipsoid,  ///< a sphere before loading
+    irregular   ///< whatever the container was: its volume was given, the cross-section is volume/height
   };
   Outline outline = Outline::cylinder;
-  Vec3 base = Vec3::Zero();             ///< centre of the lower end face [m]
-  Vec3 axis = Vec3::UnitZ();            ///< unit vector from the lower to the upper end
-  double height = 0;                    ///< along the axis [m]
-  Vec3 extent = Vec3::Zero();           ///< of the bounding box along x, y, z; for a cylinder 2R in the two cross directions [m]
-  double cross_section_area = 0;        ///< normal to the axis, the largest there is [m2]; in two dimensions width x thickness
-  double volume = 0;                    ///< [m3]
+  Vec3 base = Vec3::Zero();    ///< centre of the lower end face [m]
+  Vec3 axis = Vec3::UnitZ();   ///< unit vector from the lower to the upper end
+  double height = 0;           ///< along the axis [m]
+  Vec3 extent = Vec3::Zero();  ///< of the bounding box along x, y, z; for a cylinder 2R in the two cross directions [m]
+  double cross_section_area =
+      0;              ///< normal to the axis, the largest there is [m2]; in two dimensions width x thickness
+  double volume = 0;  ///< [m3]
 };
 
 struct ParticlesView {
   std::span<const Vec3> position, velocity, angular_velocity, initial_position;  // [m], [m/s], [rad/s], [m]
-  std::span<const Vec3> force, torque;          ///< undamped resultants at the current positions [N], [N m]
-  std::span<const Vec3> applied_force;          ///< by the protocol [N]
-  std::span<const Mat3> applied_moment;         ///< of it: (point - centre) (x) force [N m]; empty when there is none
-  std::span<const double> radius, mass;         // [m], [kg]
-  std::span<const Index> id;                    ///< number in the packing
+  std::span<const Vec3> force, torque;   ///< undamped resultants at the current positions [N], [N m]
+  std::span<const Vec3> applied_force;   ///< by the protocol [N]
+  std::span<const Mat3> applied_moment;  ///< of it: (point - centre) (x) force [N m]; empty when there is none
+  std::span<const double> radius, mass;  // [m], [kg]
+  std::span<const Index> id;             ///< number in the packing
   std::size_t size() const { return radius.size(); }
 };
 
 /// What a pair does to its two particles: one cache line, written by the law and gathered per particle.
 struct alignas(64) PairForce {
-  double fx, fy, fz;      ///< force on particle i; minus this on j [N]
-  double tx, ty, tz;      ///< n x shear force: the torque on i per unit of its lever arm, and on j per unit of its own [N]
-  double half_gap;        ///< (distance - r_i - r_j)/2: the lever arms are r + half_gap [m]
+  double fx, fy, fz;  ///< force on particle i; minus this on j [N]
+  double tx, ty, tz;  ///< n x shear force: the torque on i per unit of its lever arm, and on j per unit of its own [N]
+  double half_gap;    ///< (distance - r_i - r_j)/2: the lever arms are r + half_gap [m]
   double unused;
 };
 
 /// Pairs that the engine follows now: intact bonds, contacts, and neighbours that may touch soon.
 struct PairsView {
-  std::span<const Index> i, j;                  ///< i < j
-  std::span<const double> rest_length;          ///< centre distance without force [m]
+  std::span<const Index> i, j;          ///< i < j
+  std::span<const double> rest_length;  ///< centre distance without force [m]
   std::span<const BondState> state;
-  std::span<const Index> bond;                  ///< its row in BondsView, or no_bond
+  std::span<const Index> bond;  ///< its row in BondsView, or no_bond
   std::span<const PairForce> force;
-  std::span<const Vec3> moment;                 ///< on i, minus this on j [N m]; empty unless the law has moments
-  std::vector<std::span<const double>> columns; ///< the law's history, one per `ContactLaw::columns()`
+  std::span<const Vec3> moment;                  ///< on i, minus this on j [N m]; empty unless the law has moments
+  std::vector<std::span<const double>> columns;  ///< the law's history, one per `ContactLaw::columns()`
   std::size_t size() const { return i.size(); }
   static constexpr Index no_bond = 0xffffffffu;
 };
@@ -64,49 +65,49 @@ struct PairsView {
 /// Every bond made at the start, whatever became of it.
 struct BondsView {
   std::span<const Index> i, j;
-  std::span<const double> initial_distance;     ///< centre distance when it was made [m]
+  std::span<const double> initial_distance;  ///< centre distance when it was made [m]
   std::span<const BondState> state;
-  std::span<const double> break_time;           ///< [s]; negative while intact
+  std::span<const double> break_time;                  ///< [s]; negative while intact
   std::span<const Vec3> break_position, break_normal;  ///< of the crack: contact point [m], unit vector i to j
-  std::span<const Index> pair;                  ///< its row in PairsView, or no_pair when it broke and parted
+  std::span<const Index> pair;                         ///< its row in PairsView, or no_pair when it broke and parted
   std::size_t size() const { return i.size(); }
   static constexpr Index no_pair = 0xffffffffu;
 };
 
 struct WallView {
   std::string name;
-  Vec3 point, normal;         ///< of a plane: a point [m] and the unit vector toward the specimen; of a cylinder: its axis
+  Vec3 point, normal;  ///< of a plane: a point [m] and the unit vector toward the specimen; of a cylinder: its axis
   Vec3 velocity, displacement;  // [m/s], [m]
-  Vec3 force;                 ///< of the particles on the wall [N]
-  double normal_force;        ///< sum of the particles' normal forces on it, whatever their directions [N]
-  double cylinder_radius;     ///< 0: a plane [m]
-  std::size_t contacts = 0;   ///< particles that press on it
+  Vec3 force;                   ///< of the particles on the wall [N]
+  double normal_force;          ///< sum of the particles' normal forces on it, whatever their directions [N]
+  double cylinder_radius;       ///< 0: a plane [m]
+  std::size_t contacts = 0;     ///< particles that press on it
 };
 
 /// One particle pressing on one wall.
 struct WallContact {
   Index particle, wall;
-  Vec3 point;                 ///< where it touches [m]
-  Vec3 force;                 ///< on the particle [N]
+  Vec3 point;  ///< where it touches [m]
+  Vec3 force;  ///< on the particle [N]
 };
 
 /// Where the boundary work went, since the start of loading [J].
 struct EnergyLedger {
-  double initial = 0;         ///< elastic and kinetic, when loading began
-  double boundary_work = 0;   ///< done by walls, prescribed motion and applied forces on the particles
-  double elastic = 0;         ///< stored now in pairs and wall contacts
-  double kinetic = 0;         ///< now
-  double friction = 0;        ///< dissipated by sliding, of pairs and walls
-  double damping = 0;         ///< dissipated by the non-viscous damping
-  double contact = 0;         ///< dissipated otherwise in contacts (viscous, plastic)
-  double fracture = 0;        ///< released by breaking bonds
+  double initial = 0;        ///< elastic and kinetic, when loading began
+  double boundary_work = 0;  ///< done by walls, prescribed motion and applied forces on the particles
+  double elastic = 0;        ///< stored now in pairs and wall contacts
+  double kinetic = 0;        ///< now
+  double friction = 0;       ///< dissipated by sliding, of pairs and walls
+  double damping = 0;        ///< dissipated by the non-viscous damping
+  double contact = 0;        ///< dissipated otherwise in contacts (viscous, plastic)
+  double fracture = 0;       ///< released by breaking bonds
   double accounted() const { return elastic + kinetic + friction + damping + contact + fracture; }
   double error() const { return initial + boundary_work - accounted(); }
 };
 
 struct SimulationView {
   int dimension = 3;
-  double thickness = 1;       ///< out of plane, in two dimensions [m]
+  double thickness = 1;            ///< out of plane, in two dimensions [m]
   double time = 0, time_step = 0;  // [s]
   std::uint64_t step = 0;
   ParticlesView particles;

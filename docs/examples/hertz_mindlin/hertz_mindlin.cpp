@@ -19,7 +19,10 @@ struct HertzMindlin {
     s.param("youngs_modulus", &Config::youngs_modulus).unit("Pa").above(0).example("70 GPa").doc("of the grains");
     s.param("poisson_ratio", &Config::poisson_ratio).above(-1).at_most(0.5).example("0.2").doc("of the grains");
     s.param("friction", &Config::friction).at_least(0).example("0.5").doc("Coulomb coefficient");
-    s.param("design_overlap", &Config::design_overlap).above(0).below(1).fallback(0.01)
+    s.param("design_overlap", &Config::design_overlap)
+        .above(0)
+        .below(1)
+        .fallback(0.01)
         .doc("overlap over R* for which the time step is chosen; deeper contacts that exist then count as they are");
   }
 
@@ -34,7 +37,8 @@ struct HertzMindlin {
   HertzMindlin(const Config& c, const breccia::Assembly&)
       : effective_modulus(c.youngs_modulus / (2 * (1 - c.poisson_ratio * c.poisson_ratio))),
         effective_shear_modulus(c.youngs_modulus / (4 * (1 + c.poisson_ratio) * (2 - c.poisson_ratio))),
-        friction(c.friction), design_overlap(c.design_overlap) {}
+        friction(c.friction),
+        design_overlap(c.design_overlap) {}
 
   BRECCIA_KERNEL State initial(const breccia::Contact& c) const { return {0, 0, 0, overlap(c)}; }
 
@@ -57,7 +61,9 @@ struct HertzMindlin {
 
     breccia::ContactForce f;
     f.normal = -pressed;
-    f.shear_x = s.shear_x; f.shear_y = s.shear_y; f.shear_z = s.shear_z;
+    f.shear_x = s.shear_x;
+    f.shear_y = s.shear_y;
+    f.shear_z = s.shear_z;
     f.friction_work = slides ? limit * (trial - limit) / k : 0.0;  // no sliding without k: trial = 0 then
     f.contact_work = shed;
     return f;

@@ -21,7 +21,8 @@ struct ElasticBrittle {
         .details(
             "F_n = K_n u_n, F_s = K_s u_s with u_n = d - d0. A bond breaks at once when F_n >= phi_n (tension) or "
             "|F_s| >= phi_s (shear). Afterwards F_n <= 0 and |F_s| <= mu |F_n|. K_n = 2 E_c R, phi_n = 4 sigma_c A, "
-            "phi_s = 4 tau_c A, where the model says what the radius R and the squared radius A are. In two dimensions, "
+            "phi_s = 4 tau_c A, where the model says what the radius R and the squared radius A are. In two "
+            "dimensions, "
             "which the paper does not have, the bar is 2 r broad and as thick as the specimen: K_n = E_c t, phi_n = 2 "
             "sigma_c r t, phi_s = 2 tau_c r t, with r in place of r^2 in what the model says of A.");
     s.param("model", &Config::model)
@@ -33,16 +34,34 @@ struct ElasticBrittle {
         .doc("how bond stiffness and strength follow from the particle radii")
         .source("Rojek et al. (2012), section 4")
         .fallback("model_1");
-    s.param("bond_modulus", &Config::bond_modulus).unit("Pa").above(0).example("10 GPa")
-        .doc("Young's modulus of the bar that stands for a bond").source("E_c, Eq. 19");
-    s.param("stiffness_ratio", &Config::stiffness_ratio).above(0).example("3.7")
-        .doc("normal over shear stiffness, K_n/K_s").source("Table 1");
-    s.param("tensile_strength", &Config::tensile_strength).unit("Pa").above(0).example("40 MPa")
-        .doc("tensile strength of the bond material").source("sigma_c, Eq. 25");
-    s.param("shear_strength", &Config::shear_strength).unit("Pa").above(0).example("40 MPa")
-        .doc("shear strength of the bond material").source("tau_c, Eq. 26");
-    s.param("friction", &Config::friction).at_least(0).example("0.5")
-        .doc("Coulomb coefficient of broken and never bonded contacts").source("mu, Eq. 17");
+    s.param("bond_modulus", &Config::bond_modulus)
+        .unit("Pa")
+        .above(0)
+        .example("10 GPa")
+        .doc("Young's modulus of the bar that stands for a bond")
+        .source("E_c, Eq. 19");
+    s.param("stiffness_ratio", &Config::stiffness_ratio)
+        .above(0)
+        .example("3.7")
+        .doc("normal over shear stiffness, K_n/K_s")
+        .source("Table 1");
+    s.param("tensile_strength", &Config::tensile_strength)
+        .unit("Pa")
+        .above(0)
+        .example("40 MPa")
+        .doc("tensile strength of the bond material")
+        .source("sigma_c, Eq. 25");
+    s.param("shear_strength", &Config::shear_strength)
+        .unit("Pa")
+        .above(0)
+        .example("40 MPa")
+        .doc("shear strength of the bond material")
+        .source("tau_c, Eq. 26");
+    s.param("friction", &Config::friction)
+        .at_least(0)
+        .example("0.5")
+        .doc("Coulomb coefficient of broken and never bonded contacts")
+        .source("mu, Eq. 17");
     s.param("broken_rest_length", &Config::broken_rest_length)
         .choice("initial_distance", RestLength::initial_distance,
                 "the distance when the bond was made: breaking in shear leaves the normal force as it is")
@@ -63,7 +82,8 @@ struct ElasticBrittle {
   static constexpr bool respects_protection = true;
 
   ElasticBrittle(const Config& c, const Assembly& assembly)
-      : inverse_ratio(1 / c.stiffness_ratio), friction(c.friction),
+      : inverse_ratio(1 / c.stiffness_ratio),
+        friction(c.friction),
         keep_rest_length(c.broken_rest_length == RestLength::initial_distance ? 1.0 : 0.0) {
     const bool discs = assembly.dimension == 2;
     const double modulus = 2 * c.bond_modulus, area = 4, breadth = 2 * assembly.thickness;
@@ -103,11 +123,15 @@ struct ElasticBrittle {
     // Below the limit the spring stays; above it, its force is the limit (0/0 cannot happen: trial > limit >= 0).
     const bool slides = !holds & (trial > limit);
     const double keep = slides ? limit / (trial > 0 ? trial : 1.0) : 1.0;
-    s.spring_x = ux * keep; s.spring_y = uy * keep; s.spring_z = uz * keep;
+    s.spring_x = ux * keep;
+    s.spring_y = uy * keep;
+    s.spring_z = uz * keep;
 
     ContactForce f;
     f.normal = holds ? bonded_normal : pressed;
-    f.shear_x = ks * s.spring_x; f.shear_y = ks * s.spring_y; f.shear_z = ks * s.spring_z;
+    f.shear_x = ks * s.spring_x;
+    f.shear_y = ks * s.spring_y;
+    f.shear_z = ks * s.spring_z;
     f.breaks = tension ? double(BondState::broken_tension) : shear ? double(BondState::broken_shear) : 0.0;
     // Stored before minus stored after. What a bond loses in the step it breaks is fracture energy; a slide after that
     // dissipates the force it slides under times the way, plus the spring's second-order remainder.
@@ -169,7 +193,8 @@ struct ElasticBrittle {
   static MeanRadii mean_radii(StiffnessModel model, const Assembly& a) {
     MeanRadii m;
     const bool of_particles = model == StiffnessModel::model_3a;
-    if (!of_particles && a.bond_i.empty()) throw UserError("contact_law: models 3b and 3c average over bonds, and no bond was made");
+    if (!of_particles && a.bond_i.empty())
+      throw UserError("contact_law: models 3b and 3c average over bonds, and no bond was made");
     if (of_particles)
       for (const double r : a.radius) m.add(r, r);
     else
@@ -182,7 +207,8 @@ struct ElasticBrittle {
     return {m.stiffness / n, m.strength / n, m.strength_squared / n};
   }
 
-  // K_n = k_uniform + k_arithmetic r_a + k_harmonic r_h; strength area likewise. One weight of each is set, the rest are zero.
+  // K_n = k_uniform + k_arithmetic r_a + k_harmonic r_h; strength area likewise. One weight of each is set, the rest
+  // are zero.
   double k_uniform = 0, k_arithmetic = 0, k_harmonic = 0;
   double a_uniform = 0, a_arithmetic = 0, a_arithmetic_linear = 0, a_minimum = 0, a_minimum_linear = 0;
   double tensile_strength = 0, shear_strength = 0, inverse_ratio = 0, friction = 0, keep_rest_length = 1;

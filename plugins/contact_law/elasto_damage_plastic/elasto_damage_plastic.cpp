@@ -183,7 +183,7 @@ struct Law {
   double modulus, shear_ratio;      // E [Pa], K_s/K_n
   double damping;                   // 2 xi [1]
   double inverse_limit_strain, shear_strength, internal_friction, friction;  // E/sigma_t, tau [Pa], mu1, mu2
-  double soft_n, soft_s, inverse_soft_n, inverse_soft_s, coupling;  // delta_n, delta_s; 1 when coupled, else 0
+  double soft_n, soft_s, inverse_soft_n, inverse_soft_s, coupling;           // delta_n, delta_s; 1 when coupled, else 0
   Hardening hardening;
 };
 

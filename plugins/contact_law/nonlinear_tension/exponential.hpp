@@ -19,8 +19,8 @@ BRECCIA_KERNEL double decay(double z) {
   const double shifted = x * log2_e + shift, k = shifted - shift;
   const double r = (x - k * log_2_high) - k * log_2_low;
   const double power = std::bit_cast<double>((std::bit_cast<std::uint64_t>(shifted) + 1023) << 52);  // 2^k
-  // Taylor's series of exp(r) - 1, |r| <= log(2)/2: what is left out is below 1e-17 of the sum. In pairs (Estrin), since
-  // one long chain of dependent terms would keep the processor waiting.
+  // Taylor's series of exp(r) - 1, |r| <= log(2)/2: what is left out is below 1e-17 of the sum. In pairs (Estrin),
+  // since one long chain of dependent terms would keep the processor waiting.
   const double r2 = r * r, r4 = r2 * r2, r8 = r4 * r4;
   const double low = (0.5 + r * (1.0 / 6)) + r2 * (1.0 / 24 + r * (1.0 / 120));
   const double middle = (1.0 / 720 + r * (1.0 / 5040)) + r2 * (1.0 / 40320 + r * (1.0 / 362880));

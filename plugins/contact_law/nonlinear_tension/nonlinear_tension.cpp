@@ -53,7 +53,8 @@ struct Law {
 
   BRECCIA_KERNEL ContactForce operator()(const Contact& c, State& s) const {
     const double smaller = c.radius_i < c.radius_j ? c.radius_i : c.radius_j, touching = c.radius_i + c.radius_j;
-    const double kn = normal_stiffness(smaller), ks = kn * shear_ratio, km = bending_stiffness(kn), kt = km * torsion_ratio;
+    const double kn = normal_stiffness(smaller), ks = kn * shear_ratio, km = bending_stiffness(kn),
+                 kt = km * torsion_ratio;
     const double inverse_length = 1 / c.rest_length, inverse_touching = 1 / touching;
     const bool was = c.intact > 0.5, breakable = c.breakable > 0.5;
 
@@ -152,13 +153,13 @@ struct Law {
   BRECCIA_KERNEL double bending_stiffness(double kn) const { return bending_constant + bending_length * kn; }
 
   // k_n = k_constant + k_linear r + k_square r^2; k_m = bending_constant + bending_length k_n. Of each one is not zero.
-  double k_constant = 0, k_linear = 0, k_square = 0;   // [N], [N/m], [Pa]
-  double bending_constant = 0, bending_length = 0;     // [N m/rad], [m]
-  double reference_radius = 0;                         // [m]
-  double shear_ratio, torsion_ratio;                   // k_s/k_n, k_t/k_m
-  double limit, scale, inverse_scale, width;           // e_n0, b e_n0, w
-  double shear_limit, shear_cap;                       // e_s0, e_smax
-  double internal_friction, friction;                  // tan(phi), tan(phi_f)
+  double k_constant = 0, k_linear = 0, k_square = 0;  // [N], [N/m], [Pa]
+  double bending_constant = 0, bending_length = 0;    // [N m/rad], [m]
+  double reference_radius = 0;                        // [m]
+  double shear_ratio, torsion_ratio;                  // k_s/k_n, k_t/k_m
+  double limit, scale, inverse_scale, width;          // e_n0, b e_n0, w
+  double shear_limit, shear_cap;                      // e_s0, e_smax
+  double internal_friction, friction;                 // tan(phi), tan(phi_f)
 };
 
 }  // namespace breccia::nonlinear_tension

@@ -55,7 +55,8 @@ void add_real(vtkFieldData* data, Precision precision, const char* name, const c
   else add<vtkDoubleArray>(data, name, unit, size, get);
 }
 
-template <class Array> void add_field(vtkFieldData* data, const Field& field) {
+template <class Array>
+void add_field(vtkFieldData* data, const Field& field) {
   vtkNew<Array> array;
   using Value = typename Array::ValueType;
   array->SetNumberOfComponents(field.components);
@@ -184,9 +185,8 @@ vtkSmartPointer<vtkPolyData> bond_data(const SimulationView& view, std::span<con
   add_real(on, precision, "break_time", "s", n, [&](std::size_t k) { return b.break_time[k]; });
   add_real(on, precision, "break_position", "m", n, [&](std::size_t k) { return b.break_position[k]; });
   add_real(on, precision, "break_normal", "1", n, [&](std::size_t k) { return b.break_normal[k]; });
-  add_real(on, precision, "crack_radius", "m", n, [&](std::size_t k) {
-    return std::min(view.particles.radius[b.i[k]], view.particles.radius[b.j[k]]);
-  });
+  add_real(on, precision, "crack_radius", "m", n,
+           [&](std::size_t k) { return std::min(view.particles.radius[b.i[k]], view.particles.radius[b.j[k]]); });
   add_fields(on, fields, Field::On::bonds, n, precision);
   add_frame_facts(data, view);
   return data;
@@ -209,13 +209,15 @@ void add_wall_quads(const WallView& w, const Bounds& specimen, std::vector<Vec3>
     return;
   }
   constexpr int strips = 48;
-  const Vec3 middle = w.point + (centre - w.point).dot(w.normal) * w.normal, along = half.dot(w.normal.cwiseAbs()) * w.normal;
+  const Vec3 middle = w.point + (centre - w.point).dot(w.normal) * w.normal,
+             along = half.dot(w.normal.cwiseAbs()) * w.normal;
   const auto rim = [&](int k) {
     const double angle = 2 * M_PI * k / strips;
     return Vec3(middle + w.cylinder_radius * (std::cos(angle) * a + std::sin(angle) * b));
   };
   for (int k = 0; k < strips; ++k)
-    for (const Vec3& corner : {Vec3(rim(k) - along), Vec3(rim(k + 1) - along), Vec3(rim(k + 1) + along), Vec3(rim(k) + along)})
+    for (const Vec3& corner :
+         {Vec3(rim(k) - along), Vec3(rim(k + 1) - along), Vec3(rim(k + 1) + along), Vec3(rim(k) + along)})
       corners.push_back(corner);
 }
 

@@ -24,7 +24,11 @@ class VtkOutput final : public Output {
             "and `walls.pvd`. The README of the plugin lists the arrays. Each array's unit is its `UNITS_LABEL` "
             "information key; all are SI.")
         .source("VTK file formats, version 9.1 (inline binary, LZ4)");
-    s.param("interval", &Config::interval).unit("s").above(0).fallback(1e-4).example("0.1 ms")
+    s.param("interval", &Config::interval)
+        .unit("s")
+        .above(0)
+        .fallback(1e-4)
+        .example("0.1 ms")
         .doc("time between frames; the first and the last state are always written");
     s.param("precision", &Config::precision)
         .choice("single", vtk_output::Precision::single_precision, "32 bits")

@@ -12,7 +12,8 @@ namespace breccia::collective_rearrangement {
 
 namespace {
 
-template <class... A> std::string text(const char* format, A... a) {
+template <class... A>
+std::string text(const char* format, A... a) {
   char buffer[500];
   std::snprintf(buffer, sizeof buffer, format, a...);
   return buffer;
@@ -35,35 +36,64 @@ class CollectiveRearrangement final : public Packing {
 
   static void describe(Schema<Config>& s) {
     s.summary("Packing of spheres with exactly the radii given, by collective rearrangement of overlapping spheres")
-        .source("force-biased algorithm: Mościński & Bargieł (1991), Comput. Phys. Commun. 64, 183-192; after Jodrey & "
-                "Tory (1985), Phys. Rev. A 32, 2347; Rojek et al. (2012), section 5.1")
+        .source(
+            "force-biased algorithm: Mościński & Bargieł (1991), Comput. Phys. Commun. 64, 183-192; after Jodrey & "
+            "Tory (1985), Phys. Rev. A 32, 2347; Rojek et al. (2012), section 5.1")
         .details(
-            "Spheres are strewn at random with 60 % of their radii, which then grow in steps; at each size all overlapping "
-            "pairs push each other apart until the energy 1/2 sum (1 - d/s)^2, s = r_i + r_j, is least. The radii end as "
-            "they were asked for, to the last bit. Down to the density at which such a packing jams no overlap is left; "
-            "beyond it the overlaps are spread evenly, and `overlap_tolerance` says how large the largest may be. Number and radii "
-            "fix the porosity, so only one of particles and porosity is given. With a margin the packing is made larger "
+            "Spheres are strewn at random with 60 % of their radii, which then grow in steps; at each size all "
+            "overlapping "
+            "pairs push each other apart until the energy 1/2 sum (1 - d/s)^2, s = r_i + r_j, is least. The radii end "
+            "as "
+            "they were asked for, to the last bit. Down to the density at which such a packing jams no overlap is "
+            "left; "
+            "beyond it the overlaps are spread evenly, and `overlap_tolerance` says how large the largest may be. "
+            "Number and radii "
+            "fix the porosity, so only one of particles and porosity is given. With a margin the packing is made "
+            "larger "
             "and the specimen cut out of it, so that no layers form along the walls: spheres belong to it when their "
             "centres do. In two dimensions the particles are discs.");
     s.param("container", &Config::container).doc("the space to be filled");
     s.param("mesh", &Config::mesh).doc("a closed surface that is filled instead");
     s.param("radius", &Config::radius).doc("of the particles");
     s.param("particles", &Config::particles).at_least(1).at_most(50e6).example("5868").doc("how many");
-    s.param("porosity", &Config::porosity).above(0).below(1).example("0.40")
+    s.param("porosity", &Config::porosity)
+        .above(0)
+        .below(1)
+        .example("0.40")
         .doc("void fraction, overlaps counted twice: the number of particles that comes nearest to it is packed");
-    s.param("neighbours_per_particle", &Config::neighbours_per_particle).above(0).at_most(20).example("10.7")
-        .doc("after the rearrangement, draw so many neighbours per particle toward touching each other: evens gaps out "
-             "against overlaps, for packings that are to be bonded. Without it gaps stay as they are")
+    s.param("neighbours_per_particle", &Config::neighbours_per_particle)
+        .above(0)
+        .at_most(20)
+        .example("10.7")
+        .doc(
+            "after the rearrangement, draw so many neighbours per particle toward touching each other: evens gaps out "
+            "against overlaps, for packings that are to be bonded. Without it gaps stay as they are")
         .source("objective of Labra & Oñate (2009), with the radii kept");
-    s.param("margin", &Config::margin).unit("m").at_least(0).fallback(0.0).example("2 mm")
+    s.param("margin", &Config::margin)
+        .unit("m")
+        .at_least(0)
+        .fallback(0.0)
+        .example("2 mm")
         .doc("pack a space larger by this all round, and cut the specimen out of it");
-    s.param("flat_ends", &Config::flat_ends).fallback(true)
-        .doc("with a margin: leave the ends of a cylinder or box where they are, so that platens find spheres that touch them");
-    s.param("overlap_tolerance", &Config::overlap_tolerance).at_least(1e-6).at_most(0.5).fallback(1e-3)
+    s.param("flat_ends", &Config::flat_ends)
+        .fallback(true)
+        .doc(
+            "with a margin: leave the ends of a cylinder or box where they are, so that platens find spheres that "
+            "touch them");
+    s.param("overlap_tolerance", &Config::overlap_tolerance)
+        .at_least(1e-6)
+        .at_most(0.5)
+        .fallback(1e-3)
         .doc("largest overlap allowed in the packing, over the sum of the radii; a denser packing is refused");
-    s.param("max_iterations", &Config::max_iterations).at_least(1).at_most(1000000).fallback(5000)
+    s.param("max_iterations", &Config::max_iterations)
+        .at_least(1)
+        .at_most(1000000)
+        .fallback(5000)
         .doc("largest number of steps at the final size");
-    s.param("tolerance", &Config::tolerance).above(0).below(1).fallback(2e-3)
+    s.param("tolerance", &Config::tolerance)
+        .above(0)
+        .below(1)
+        .fallback(2e-3)
         .doc("ends when fifty steps lower the energy by less than this share");
     s.exactly_one_of({"container", "mesh"});
     s.exactly_one_of({"particles", "porosity"});
@@ -101,15 +131,18 @@ class CollectiveRearrangement final : public Packing {
     if (!outcome.converged)
       host.warn("the packing still improved when max_iterations was reached: raise it for a better one");
     if (cut.spheres.size() == 0)
-      throw UserError("no particle has its centre in the specimen cut out: use more or smaller ones, or a smaller margin");
+      throw UserError(
+          "no particle has its centre in the specimen cut out: use more or smaller ones, or a smaller margin");
     const Quality q = measure(cut.spheres, region->measure(), dimension);
-    host.info(text("packed %zu particles: porosity %.4f, %.2f contacts each, overlaps up to %.3g %% of the sum of the radii",
-                   cut.spheres.size(), q.porosity, q.contacts, 100 * q.max_overlap));
+    host.info(
+        text("packed %zu particles: porosity %.4f, %.2f contacts each, overlaps up to %.3g %% of the sum of the radii",
+             cut.spheres.size(), q.porosity, q.contacts, 100 * q.max_overlap));
     if (q.max_overlap > config_.overlap_tolerance)
-      throw UserError(text("spheres of these radii cannot be packed so densely: the best packing found, with a porosity of "
-                           "%.2f %%, has overlaps of %.3g %% of the sum of the radii at most and %.3g %% on average. Ask "
-                           "for fewer particles or more porosity, or allow these overlaps with overlap_tolerance",
-                           100 * q.porosity, 100 * q.max_overlap, 100 * q.mean_overlap));
+      throw UserError(
+          text("spheres of these radii cannot be packed so densely: the best packing found, with a porosity of "
+               "%.2f %%, has overlaps of %.3g %% of the sum of the radii at most and %.3g %% on average. Ask "
+               "for fewer particles or more porosity, or allow these overlaps with overlap_tolerance",
+               100 * q.porosity, 100 * q.max_overlap, 100 * q.mean_overlap));
     PackedParticles packed;
     packed.report = report(q, law, wanted, cut.spheres.size(), packed_number, outcome);
     packed.position = std::move(cut.spheres.x);
@@ -121,18 +154,19 @@ class CollectiveRearrangement final : public Packing {
   }
 
  private:
-  static constexpr int most_attempts = 3;   // to cut out the number asked for
+  static constexpr int most_attempts = 3;  // to cut out the number asked for
 
   Spheres rearrange(const Region& space, std::vector<double> radii, const PackingRequest& request, Host& host,
                     Outcome& outcome) const {
     const std::size_t n = radii.size();
     if (n == 0) throw UserError("not one particle goes into the space to be filled: use smaller ones");
     if (radii.back() > space.largest_radius())
-      throw UserError(text("the largest particle, of radius %.4g m, does not fit into the space to be filled", radii.back()));
+      throw UserError(
+          text("the largest particle, of radius %.4g m, does not fit into the space to be filled", radii.back()));
     const double share = solid_measure(radii, request.dimension) / space.measure();
     if (n > 1 && share > 0.95)
-      throw UserError(text("%zu particles of these radii have %.3g of the volume to be filled: use fewer or smaller ones",
-                           n, share));
+      throw UserError(text(
+          "%zu particles of these radii have %.3g of the volume to be filled: use fewer or smaller ones", n, share));
     Rearrangement rearrangement(space, std::move(radii), request.seed,
                                 {int(config_.max_iterations), config_.tolerance, std::max(1, host.threads())}, host);
     outcome = rearrangement.run();

@@ -28,14 +28,14 @@ namespace breccia::collective_rearrangement {
 
 namespace {
 
-constexpr int samples_per_side = 64;   // of the grid on which the volume of a grown mesh is counted
-constexpr int confine_steps = 50;      // toward a place that keeps clear of several facets at once
-constexpr int most_places = 10000;     // tried for one sphere
+constexpr int samples_per_side = 64;  // of the grid on which the volume of a grown mesh is counted
+constexpr int confine_steps = 50;     // toward a place that keeps clear of several facets at once
+constexpr int most_places = 10000;    // tried for one sphere
 
 vtkSmartPointer<vtkPolyData> read_surface(const std::filesystem::path& file) {
   if (!std::ifstream(file)) throw UserError("cannot read " + file.string() + ": no such file, or no permission");
   const bool warnings = vtkObject::GetGlobalWarningDisplay();
-  vtkObject::GlobalWarningDisplayOff();   // VTK would print its own words; an empty surface tells enough
+  vtkObject::GlobalWarningDisplayOff();  // VTK would print its own words; an empty surface tells enough
   vtkSmartPointer<vtkPolyData> surface;
   std::string ending = file.extension().string();
   for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
@@ -92,8 +92,11 @@ void refuse_open(vtkPolyData* surface, const std::filesystem::path& file) {
 class MeshRegion final : public Region {
  public:
   MeshRegion(std::shared_ptr<const Surface> surface, int threads, double margin = 0)
-      : surface_(std::move(surface)), threads_(threads), margin_(margin),
-        low_(surface_->low() - Vec3::Constant(margin)), high_(surface_->high() + Vec3::Constant(margin)),
+      : surface_(std::move(surface)),
+        threads_(threads),
+        margin_(margin),
+        low_(surface_->low() - Vec3::Constant(margin)),
+        high_(surface_->high() + Vec3::Constant(margin)),
         volume_(margin > 0 ? counted_volume() : surface_->volume()) {}
 
   double measure() const override { return volume_; }
@@ -109,21 +112,27 @@ class MeshRegion final : public Region {
   /// The bounding box is searched with a sequence that follows from the three numbers, so that equal numbers give
   /// equal places.
   Vec3 place(double r, double a, double b, double c) const override {
-    const auto next = [](double& u, double step) { u += step; u -= std::floor(u); };
+    const auto next = [](double& u, double step) {
+      u += step;
+      u -= std::floor(u);
+    };
     for (int k = 0; k < most_places; ++k) {
       const Vec3 x = low_ + Vec3(a, b, c).cwiseProduct(high_ - low_);
       if (depth(x) > 0)
         if (const Confined p = confine(x, r, 0); p.room >= -1e-9 * r) return p.x;
-      next(a, 0.8191725133961645);   // powers of the root of x^4 = x + 1: evenly spread in three dimensions
+      next(a, 0.8191725133961645);  // powers of the root of x^4 = x + 1: evenly spread in three dimensions
       next(b, 0.6710436067037893);
       next(c, 0.5497004779019703);
     }
     char text[120];
-    std::snprintf(text, sizeof text, "no place was found in the mesh for a particle of radius %.4g m: use smaller ones", r);
+    std::snprintf(text, sizeof text, "no place was found in the mesh for a particle of radius %.4g m: use smaller ones",
+                  r);
     throw UserError(text);
   }
 
-  unsigned walls_near(const Vec3& x, double r, double gap) const override { return depth(x) <= (1 + gap) * r ? 1u : 0u; }
+  unsigned walls_near(const Vec3& x, double r, double gap) const override {
+    return depth(x) <= (1 + gap) * r ? 1u : 0u;
+  }
 
   /// From facet to facet, as long as one is too near.
   Confined confine(const Vec3& x, double r, unsigned touching) const override {
@@ -176,9 +185,11 @@ std::unique_ptr<Region> read_mesh(const MeshConfig& config, int threads) {
   std::vector<Surface::Triangle> triangles;
   vtkNew<vtkIdList> corners;
   for (mesh->GetPolys()->InitTraversal(); mesh->GetPolys()->GetNextCell(corners);)
-    triangles.push_back({std::size_t(corners->GetId(0)), std::size_t(corners->GetId(1)), std::size_t(corners->GetId(2))});
+    triangles.push_back(
+        {std::size_t(corners->GetId(0)), std::size_t(corners->GetId(1)), std::size_t(corners->GetId(2))});
   if (triangles.empty()) throw UserError("cannot read " + config.file.string() + ": all its triangles are degenerate");
-  return std::make_unique<MeshRegion>(std::make_shared<const Surface>(std::move(points), std::move(triangles)), threads);
+  return std::make_unique<MeshRegion>(std::make_shared<const Surface>(std::move(points), std::move(triangles)),
+                                      threads);
 }
 
 }  // namespace breccia::collective_rearrangement

@@ -13,16 +13,16 @@
 namespace breccia::collective_rearrangement {
 
 namespace {
-constexpr double start_scale = 0.6, scale_step = 0.05;   // of the radii: below 0.6 random places hardly overlap for long
+constexpr double start_scale = 0.6, scale_step = 0.05;  // of the radii: below 0.6 random places hardly overlap for long
 constexpr int growth_iterations = 400;
 constexpr double growth_tolerance = 1e-2;
-constexpr double longest_move = 0.2;                     // of a centre in one iteration, in radii
-constexpr double no_overlap = 1e-6;                      // over s: nothing is left to do
+constexpr double longest_move = 0.2;  // of a centre in one iteration, in radii
+constexpr double no_overlap = 1e-6;   // over s: nothing is left to do
 constexpr int check_every = 50;
 constexpr int closing_rounds = 30, closing_iterations = 100;
-constexpr double closing_reach = 0.5;                    // gaps over s that can be drawn together at all
+constexpr double closing_reach = 0.5;  // gaps over s that can be drawn together at all
 // FIRE, in units in which the stiffest mode has a frequency of order one.
-constexpr double usual_stiffness = 3;                    // times 1/r^2: of twelve neighbours of the same size
+constexpr double usual_stiffness = 3;  // times 1/r^2: of twelve neighbours of the same size
 constexpr double first_step = 0.1, longest_step = 1.0, mixing_start = 0.1;
 
 /// Uniform in [0, 1), the same on every platform, unlike std::uniform_real_distribution.
@@ -96,10 +96,10 @@ Outcome Rearrangement::relax(double scale, int max_iterations, double tolerance)
       mixing = mixing_start;
       downhill = 0;
     } else {
-      const double vv = ordered_sum(n, settings_.threads,
-                                    [&](std::size_t i) { return velocity_[i].squaredNorm() / mobility_[i]; });
-      const double ff = ordered_sum(n, settings_.threads,
-                                    [&](std::size_t i) { return force_[i].squaredNorm() * mobility_[i]; });
+      const double vv =
+          ordered_sum(n, settings_.threads, [&](std::size_t i) { return velocity_[i].squaredNorm() / mobility_[i]; });
+      const double ff =
+          ordered_sum(n, settings_.threads, [&](std::size_t i) { return force_[i].squaredNorm() * mobility_[i]; });
       ratio = ff > 0 ? std::sqrt(vv / ff) : 0;
       if (++downhill > 5) {
         step = std::min(1.1 * step, longest_step);
@@ -177,7 +177,7 @@ void Rearrangement::find_neighbours() {
     first = end;
   }
   for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t larger = near_[i].size();   // before those that follow enter themselves
+    const std::size_t larger = near_[i].size();  // before those that follow enter themselves
     std::sort(near_[i].begin(), near_[i].end());
     for (std::size_t k = 0; k < larger; ++k) near_[near_[i][k]].push_back(Index(i));
   }
@@ -216,9 +216,8 @@ void Rearrangement::find_nearest(std::size_t pairs) {
     std::nth_element(gaps.begin(), gaps.begin() + std::ptrdiff_t(pairs - 1), gaps.end());
     limit = std::max(0.0, gaps[pairs - 1]);
   }
-  for_all(n, settings_.threads, [&](std::size_t i) {
-    std::erase_if(near_[i], [&](Index j) { return gap(i, j) > limit; });
-  });
+  for_all(n, settings_.threads,
+          [&](std::size_t i) { std::erase_if(near_[i], [&](Index j) { return gap(i, j) > limit; }); });
   for_all(n, settings_.threads, [&](std::size_t i) {
     touching_[i] = std::uint8_t(region_.walls_near(s_.x[i], s_.r[i], limit));
     confine(i, s_.x[i]);

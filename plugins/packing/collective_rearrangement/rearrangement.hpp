@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Spheres of given radii pushed apart, all at once, until they overlap as little as they can.
 ///
-/// Energy: 1/2 sum over overlapping pairs of (1 - d/s)^2, s = r_i + r_j. The radii grow from a fraction in steps; at each
-/// size the energy is minimised with FIRE (Bitzek et al. 2006, Phys. Rev. Lett. 97, 170201), each sphere with a mass of
-/// 1/r^2, so that small and large ones move at the same pace measured in their own radii; a large one among many small
-/// ones is heavier by as much as they make it stiffer. Walls are rigid.
+/// Energy: 1/2 sum over overlapping pairs of (1 - d/s)^2, s = r_i + r_j. The radii grow from a fraction in steps; at
+/// each size the energy is minimised with FIRE (Bitzek et al. 2006, Phys. Rev. Lett. 97, 170201), each sphere with a
+/// mass of 1/r^2, so that small and large ones move at the same pace measured in their own radii; a large one among
+/// many small ones is heavier by as much as they make it stiffer. Walls are rigid.
 ///
 /// After that the nearest pairs can be drawn together: the same energy over a set of pairs that holds all overlapping
 /// ones and those with the smallest gaps, now counting gaps as well (the objective of Labra and Oñate 2009 with the
@@ -20,14 +20,14 @@
 namespace breccia::collective_rearrangement {
 
 struct Spheres {
-  std::vector<Vec3> x;     // [m]
-  std::vector<double> r;   // [m]
+  std::vector<Vec3> x;    // [m]
+  std::vector<double> r;  // [m]
   std::size_t size() const { return r.size(); }
 };
 
 struct Settings {
-  int max_iterations = 0;   ///< at the final size
-  double tolerance = 0;     ///< ends when 50 iterations lower the energy by less than this share
+  int max_iterations = 0;  ///< at the final size
+  double tolerance = 0;    ///< ends when 50 iterations lower the energy by less than this share
   int threads = 1;
 };
 
@@ -38,7 +38,8 @@ struct Outcome {
 
 class Rearrangement {
  public:
-  Rearrangement(const Region& region, std::vector<double> radii, std::uint64_t seed, const Settings& settings, Host& host);
+  Rearrangement(const Region& region, std::vector<double> radii, std::uint64_t seed, const Settings& settings,
+                Host& host);
   Outcome run();
   /// Draws this many pairs toward touching each other.
   Outcome close(std::size_t pairs);
@@ -60,11 +61,11 @@ class Rearrangement {
   std::vector<Vec3> velocity_, force_, listed_at_;
   std::vector<std::vector<Index>> near_;
   std::vector<double> energy_of_;
-  std::vector<double> mobility_;         // 1/mass, in units in which a pair's energy is a pure number [m2]
-  std::vector<double> room_;             // how far a sphere can move before the walls must be looked at again [m]
-  std::vector<std::uint8_t> touching_;   // walls that a sphere is to touch, as bits
+  std::vector<double> mobility_;        // 1/mass, in units in which a pair's energy is a pure number [m2]
+  std::vector<double> room_;            // how far a sphere can move before the walls must be looked at again [m]
+  std::vector<std::uint8_t> touching_;  // walls that a sphere is to touch, as bits
   double energy_ = 0, largest_energy_ = 0, skin_ = 0;
-  bool closing_ = false;   // gaps count too, and `near_` is the set of pairs to be drawn together
+  bool closing_ = false;  // gaps count too, and `near_` is the set of pairs to be drawn together
 };
 
 }  // namespace breccia::collective_rearrangement

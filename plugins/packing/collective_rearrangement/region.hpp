@@ -10,15 +10,15 @@ namespace breccia::collective_rearrangement {
 
 /// Where a sphere was put.
 struct Confined {
-  Vec3 x;        ///< centre [m]
-  double room;   ///< it keeps inside while it moves less than this; negative when no place for it was found [m]
+  Vec3 x;       ///< centre [m]
+  double room;  ///< it keeps inside while it moves less than this; negative when no place for it was found [m]
 };
 
 class Region {
  public:
   virtual ~Region() = default;
-  virtual double measure() const = 0;             ///< volume [m3]; area in two dimensions [m2]
-  virtual double largest_radius() const = 0;      ///< no larger sphere can fit [m]
+  virtual double measure() const = 0;         ///< volume [m3]; area in two dimensions [m2]
+  virtual double largest_radius() const = 0;  ///< no larger sphere can fit [m]
   virtual SpecimenShape::Outline outline() const = 0;
   virtual Vec3 axis() const = 0;
   /// A place for the centre of a sphere of radius r [m], from three numbers in [0, 1). UserError when none is found.
@@ -71,11 +71,13 @@ class ContainerRegion final : public Region {
     const Vec3 n = d + more;
     const Vec3 origin = origin_ - (flat ? Vec3(0, 0.5 * more.y(), 0) : Vec3(0, 0, 0.5 * more.z()));
     switch (container_.shape()) {
-      case Container::Shape::cylinder: return std::make_unique<ContainerRegion>(Container::cylinder(n.x(), n.z()), origin);
+      case Container::Shape::cylinder:
+        return std::make_unique<ContainerRegion>(Container::cylinder(n.x(), n.z()), origin);
       case Container::Shape::sphere:
         return std::make_unique<ContainerRegion>(flat ? Container::disc(n.x()) : Container::sphere(n.x()), origin);
       default:
-        return std::make_unique<ContainerRegion>(flat ? Container::rectangle(n.x(), n.y()) : Container::box(n.x(), n.y(), n.z()), origin);
+        return std::make_unique<ContainerRegion>(
+            flat ? Container::rectangle(n.x(), n.y()) : Container::box(n.x(), n.y(), n.z()), origin);
     }
   }
 

@@ -12,7 +12,7 @@ namespace breccia::collective_rearrangement {
 namespace {
 
 constexpr std::size_t most_in_leaf = 4;
-constexpr std::size_t most_waiting = 64;   // nodes: the tree is halved at each level
+constexpr std::size_t most_waiting = 64;  // nodes: the tree is halved at each level
 
 double square_distance(const Vec3& x, const Vec3& low, const Vec3& high) {
   return (low - x).cwiseMax(x - high).cwiseMax(0.0).squaredNorm();
@@ -32,7 +32,7 @@ Surface::Surface(std::vector<Vec3> points, std::vector<Triangle> triangles)
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t here = t[k], next = t[(k + 1) % 3];
       const Vec3 a = points_[next] - points_[here], b = points_[t[(k + 2) % 3]] - points_[here];
-      corner_normal_[here] += std::atan2(a.cross(b).norm(), a.dot(b)) * normal;   // weighted with the angle
+      corner_normal_[here] += std::atan2(a.cross(b).norm(), a.dot(b)) * normal;  // weighted with the angle
       of_edge.try_emplace(edge(here, next), Vec3::Zero()).first->second += normal;
     }
   }
@@ -42,7 +42,7 @@ Surface::Surface(std::vector<Vec3> points, std::vector<Triangle> triangles)
 
 double Surface::volume() const {
   double six = 0;
-  for (const Triangle& t : triangles_)   // tetrahedra from a point nearby, for the sake of rounding
+  for (const Triangle& t : triangles_)  // tetrahedra from a point nearby, for the sake of rounding
     six += (points_[t[0]] - low()).dot((points_[t[1]] - low()).cross(points_[t[2]] - low()));
   return six / 6;
 }
@@ -124,10 +124,8 @@ double Surface::depth(const Vec3& x, Vec3& inward) const {
   const double distance = std::sqrt(best.square);
   const bool inside = out.dot(best.normal) < 0;
   // On the surface itself the difference is nothing but rounding.
-  if (distance > 1e-12 * (high() - low()).norm())
-    inward = (inside ? 1 : -1) / distance * out;
-  else
-    inward = -best.normal.normalized();
+  if (distance > 1e-12 * (high() - low()).norm()) inward = (inside ? 1 : -1) / distance * out;
+  else inward = -best.normal.normalized();
   return inside ? distance : -distance;
 }
 

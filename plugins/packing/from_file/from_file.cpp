@@ -32,18 +32,24 @@ class FromFile final : public Packing {
             "column may be missing.");
     s.param("file", &Config::file).example("specimen.csv").doc("the .csv or .vtp file");
     s.param("length_unit", &Config::length_unit)
-        .choice("m", LengthUnit::metre, "metre").choice("cm", LengthUnit::centimetre, "centimetre")
-        .choice("mm", LengthUnit::millimetre, "millimetre").choice("um", LengthUnit::micrometre, "micrometre")
+        .choice("m", LengthUnit::metre, "metre")
+        .choice("cm", LengthUnit::centimetre, "centimetre")
+        .choice("mm", LengthUnit::millimetre, "millimetre")
+        .choice("um", LengthUnit::micrometre, "micrometre")
         .choice("in", LengthUnit::inch, "inch, 25.4 mm")
-        .doc("of all columns of a .csv file; a .vtp file is always in metres").example("mm");
+        .doc("of all columns of a .csv file; a .vtp file is always in metres")
+        .example("mm");
     s.param("outline", &Config::outline)
         .choice("cylinder", SpecimenShape::Outline::cylinder, "a cylinder along `axis`")
         .choice("box", SpecimenShape::Outline::box,
                 "a box with faces normal to x, y and z; a rectangle in two dimensions")
         .doc("what the spheres fill: cross-section and volume are measured accordingly");
     s.param("axis", &Config::axis)
-        .choice("x", AxisName::x, "along x").choice("y", AxisName::y, "along y").choice("z", AxisName::z, "along z")
-        .doc("of the cylinder, or the long direction of the box; z unless given, y in two dimensions").example("z");
+        .choice("x", AxisName::x, "along x")
+        .choice("y", AxisName::y, "along y")
+        .choice("z", AxisName::z, "along z")
+        .doc("of the cylinder, or the long direction of the box; z unless given, y in two dimensions")
+        .example("z");
     s.check([](const Config& c, Issues& issues) {
       const std::string type = c.file.extension();
       if (type != ".csv" && type != ".vtp")
@@ -101,11 +107,16 @@ class FromFile final : public Packing {
 
   static double metres(LengthUnit unit) {
     switch (unit) {
-      case LengthUnit::metre: return 1;
-      case LengthUnit::centimetre: return 1e-2;
-      case LengthUnit::millimetre: return 1e-3;
-      case LengthUnit::micrometre: return 1e-6;
-      case LengthUnit::inch: return 25.4e-3;
+      case LengthUnit::metre:
+        return 1;
+      case LengthUnit::centimetre:
+        return 1e-2;
+      case LengthUnit::millimetre:
+        return 1e-3;
+      case LengthUnit::micrometre:
+        return 1e-6;
+      case LengthUnit::inch:
+        return 25.4e-3;
     }
     return 1;
   }

@@ -54,8 +54,11 @@ Columns find_columns(const std::filesystem::path& file, std::size_t line, const 
   }
   for (std::size_t k = 0; k < names.size(); ++k)
     if (!columns[k] && (k != 2 || needs_z))
-      fail(file, line, "no column `" + std::string(names[k]) + "`: the first line must name the columns x, y, z and "
-                       "radius, in any order; it names " + found);
+      fail(file, line,
+           "no column `" + std::string(names[k]) +
+               "`: the first line must name the columns x, y, z and "
+               "radius, in any order; it names " +
+               found);
   return columns;
 }
 
@@ -88,7 +91,10 @@ Spheres read_csv(const std::filesystem::path& file, double unit, bool needs_z) {
     if (trimmed(content).empty()) continue;
     if (!columns) {
       for (const char c : {',', ';', '\t'})
-        if (content.find(c) != content.npos) { separator = c; break; }
+        if (content.find(c) != content.npos) {
+          separator = c;
+          break;
+        }
       const auto header = cells_of(content, separator);
       width = header.size();
       columns = find_columns(file, line, header, needs_z, spheres.ignored);

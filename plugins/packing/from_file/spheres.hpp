@@ -11,10 +11,10 @@
 namespace breccia::from_file {
 
 struct Spheres {
-  std::vector<Vec3> position;       ///< [m]
-  std::vector<double> radius;       ///< [m]
-  std::vector<std::size_t> line;    ///< of the text file; empty when there are no lines to point at
-  std::vector<std::string> ignored; ///< columns that were not used
+  std::vector<Vec3> position;        ///< [m]
+  std::vector<double> radius;        ///< [m]
+  std::vector<std::size_t> line;     ///< of the text file; empty when there are no lines to point at
+  std::vector<std::string> ignored;  ///< columns that were not used
 
   /// "packing.csv, line 12" or "packing.vtp, point 10".
   std::string where(const std::filesystem::path& file, std::size_t k) const {

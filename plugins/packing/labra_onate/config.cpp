@@ -18,22 +18,42 @@ void describe(Schema<Config>& s) {
           "overlapping pairs and the pairs with the smallest relative gap, up to neighbours_per_particle. In two "
           "dimensions the particles are discs.");
   s.param("container", &Config::container).doc("the space to be filled");
-  s.param("particles", &Config::particles).at_least(1).at_most(50e6).example("10225")
-      .doc("how many; with a porosity as well, all radii are multiplied by the factor that meets it. Without it, the "
-           "number follows from the porosity");
-  s.param("porosity", &Config::porosity).above(0).below(1).example("0.23")
+  s.param("particles", &Config::particles)
+      .at_least(1)
+      .at_most(50e6)
+      .example("10225")
+      .doc(
+          "how many; with a porosity as well, all radii are multiplied by the factor that meets it. Without it, the "
+          "number follows from the porosity");
+  s.param("porosity", &Config::porosity)
+      .above(0)
+      .below(1)
+      .example("0.23")
       .doc("void fraction, overlaps counted twice. Without it, the porosity follows from the particles");
   s.param("radius", &Config::radius).doc("of the particles");
-  s.param("neighbours_per_particle", &Config::neighbours_per_particle).above(0).at_most(14).example("11.8942")
-      .doc("mean number of neighbours of a particle in the set of pairs that are drawn together; best near the mean "
-           "number of bonds wanted. By default 12, in two dimensions 5");
-  s.param("neighbour_size_correlation", &Config::neighbour_size_correlation).above(-0.5).below(0.9).example("0.08")
-      .doc("correlation of the radii of neighbours that the optimisation starts from, as in packings whose sizes follow "
-           "a mesh; without it, it comes out as it does, near zero. The optimisation lowers it somewhat: the report "
-           "says by how much");
-  s.param("max_iterations", &Config::max_iterations).at_least(1).at_most(100000)
-      .doc("largest number of steps in each of the three stages").fallback(200);
-  s.param("tolerance", &Config::tolerance).above(0).below(1)
+  s.param("neighbours_per_particle", &Config::neighbours_per_particle)
+      .above(0)
+      .at_most(14)
+      .example("11.8942")
+      .doc(
+          "mean number of neighbours of a particle in the set of pairs that are drawn together; best near the mean "
+          "number of bonds wanted. By default 12, in two dimensions 5");
+  s.param("neighbour_size_correlation", &Config::neighbour_size_correlation)
+      .above(-0.5)
+      .below(0.9)
+      .example("0.08")
+      .doc(
+          "correlation of the radii of neighbours that the optimisation starts from, as in packings whose sizes follow "
+          "a mesh; without it, it comes out as it does, near zero. The optimisation lowers it somewhat: the report "
+          "says by how much");
+  s.param("max_iterations", &Config::max_iterations)
+      .at_least(1)
+      .at_most(100000)
+      .doc("largest number of steps in each of the three stages")
+      .fallback(200);
+  s.param("tolerance", &Config::tolerance)
+      .above(0)
+      .below(1)
       .doc("a stage ends when three steps in a row each lower the sum of squares by less than this share")
       .fallback(1e-4);
   s.check([](const Config& c, Issues& issues) {

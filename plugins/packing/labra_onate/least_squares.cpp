@@ -24,8 +24,13 @@ double dot(const std::vector<Vec4>& a, const std::vector<Vec4>& b, int threads) 
 
 LeastSquares::LeastSquares(const Spheres& s, const Container& box, const NeighbourSet& set, Residual form,
                            bool radii_free, int threads)
-    : set_(set), radii_free_(radii_free), threads_(threads), row_(set.partner.size()), wall_(s.size()),
-      diagonal_(s.size()), gradient_(s.size()) {
+    : set_(set),
+      radii_free_(radii_free),
+      threads_(threads),
+      row_(set.partner.size()),
+      wall_(s.size()),
+      diagonal_(s.size()),
+      gradient_(s.size()) {
   for_all(s.size(), threads, [&](std::size_t i) {
     Eigen::Matrix4d block = Eigen::Matrix4d::Zero();
     Vec4 g = Vec4::Zero();
@@ -52,11 +57,14 @@ LeastSquares::LeastSquares(const Spheres& s, const Container& box, const Neighbo
     diagonal_[i] = block + wall_[i];
     gradient_[i] = g;
   });
-  scale_ = ordered_sum(s.size(), threads, [&](std::size_t i) {
-    double trace = 0;
-    for (std::size_t e = set.start[i]; e < set.start[i + 1]; ++e) trace += row_[e].head<3>().squaredNorm();
-    return trace;
-  }) / (3 * double(s.size()));
+  scale_ = ordered_sum(s.size(), threads,
+                       [&](std::size_t i) {
+                         double trace = 0;
+                         for (std::size_t e = set.start[i]; e < set.start[i + 1]; ++e)
+                           trace += row_[e].head<3>().squaredNorm();
+                         return trace;
+                       }) /
+           (3 * double(s.size()));
   if (!(scale_ > 0)) scale_ = 1;
 }
 
@@ -76,8 +84,8 @@ void LeastSquares::multiply(const std::vector<Vec4>& v, double damping, std::vec
     Vec4 y = wall_[i] * v[i] + (damping * scale_) * v[i];
     for (std::size_t e = set_.start[i]; e < set_.start[i + 1]; ++e) {
       const Vec4 &a = row_[e], &u = v[set_.partner[e]];
-      const double t = a[0] * (v[i][0] - u[0]) + a[1] * (v[i][1] - u[1]) + a[2] * (v[i][2] - u[2]) +
-                       a[3] * (v[i][3] + u[3]);
+      const double t =
+          a[0] * (v[i][0] - u[0]) + a[1] * (v[i][1] - u[1]) + a[2] * (v[i][2] - u[2]) + a[3] * (v[i][3] + u[3]);
       y += t * a;
     }
     out[i] = y;

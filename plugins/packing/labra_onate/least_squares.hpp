@@ -10,7 +10,7 @@
 
 namespace breccia::labra_onate {
 
-using Vec4 = Eigen::Vector4d;   ///< of a sphere: change of its centre and of its radius [m]
+using Vec4 = Eigen::Vector4d;  ///< of a sphere: change of its centre and of its radius [m]
 
 enum class Residual {
   squared_distance,  ///< (d^2 - s^2)/s^2: the objective of the method
@@ -34,10 +34,10 @@ class LeastSquares {
   const NeighbourSet& set_;
   bool radii_free_;
   int threads_;
-  std::vector<Vec4> row_;        // of J, per entry of set_.partner: d f/d(x_i, r_i)
+  std::vector<Vec4> row_;  // of J, per entry of set_.partner: d f/d(x_i, r_i)
   std::vector<Eigen::Matrix4d> wall_, diagonal_;
-  std::vector<Vec4> gradient_;   // J^T f
-  double scale_ = 1;             // mean diagonal of J^T J over the centres: makes the damping dimensionless
+  std::vector<Vec4> gradient_;  // J^T f
+  double scale_ = 1;            // mean diagonal of J^T J over the centres: makes the damping dimensionless
 };
 
 }  // namespace breccia::labra_onate

@@ -18,7 +18,7 @@ struct Spheres {
 
 /// Each pair appears twice, in the rows of both its spheres; rows are sorted by partner.
 struct NeighbourSet {
-  std::vector<std::size_t> start;     ///< size() + 1 offsets into `partner`
+  std::vector<std::size_t> start;  ///< size() + 1 offsets into `partner`
   std::vector<Index> partner;
   std::vector<std::uint8_t> tangent;  ///< per sphere, bit w: wants to touch wall w of `Container::walls`
   double tolerance = 0;               ///< widest relative gap, (d - s)/s with s the sum of the radii; 0: overlaps only
@@ -45,10 +45,10 @@ class NeighbourFinder {
 
   const Container& box_;
   int threads_;
-  Spheres then_;                      // when the candidates were collected
+  Spheres then_;  // when the candidates were collected
   double reach_ = -1, skin_ = 0;
   std::vector<std::size_t> start_;
-  std::vector<Index> candidate_;      // rows like those of NeighbourSet
+  std::vector<Index> candidate_;  // rows like those of NeighbourSet
 };
 
 }  // namespace breccia::labra_onate

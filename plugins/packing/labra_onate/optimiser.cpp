@@ -10,8 +10,8 @@
 namespace breccia::labra_onate {
 
 namespace {
-constexpr double longest_move = 0.5;    // of a centre in one step, in radii
-constexpr double start_scale = 0.3;     // of the radii at the random places
+constexpr double longest_move = 0.5;  // of a centre in one step, in radii
+constexpr double start_scale = 0.3;   // of the radii at the random places
 constexpr int growth_steps = 15, growth_iterations = 3;
 constexpr double first_damping = 0.1, least_damping = 1e-4, most_damping = 1e6;
 constexpr double solver_tolerance = 0.05;  // of the linear system: a better step does not pay
@@ -59,9 +59,8 @@ Optimiser::Candidate Optimiser::settle(Spheres s, const Stage& stage) {
   Candidate c{std::move(s), {}, 0};
   c.set = finder_.find(c.s, stage.pairs);
   if (stage.pairs == 0) std::fill(c.set.tangent.begin(), c.set.tangent.end(), std::uint8_t(0));
-  for_all(c.s.size(), settings_.threads, [&](std::size_t i) {
-    c.s.x[i] = box_.project(c.s.x[i], c.s.r[i], c.set.tangent[i]);
-  });
+  for_all(c.s.size(), settings_.threads,
+          [&](std::size_t i) { c.s.x[i] = box_.project(c.s.x[i], c.s.r[i], c.set.tangent[i]); });
   c.energy = LeastSquares::energy(c.s, c.set, stage.form, settings_.threads);
   return c;
 }
@@ -82,9 +81,8 @@ Spheres Optimiser::moved(const Candidate& from, const std::vector<Vec4>& step, c
               [&](std::size_t a, std::size_t b) { return wish[a] != wish[b] ? wish[a] < wish[b] : a < b; });
     for (std::size_t k = 0; k < order.size(); ++k) s.r[order[k]] = radii_[k];
   }
-  for_all(s.size(), settings_.threads, [&](std::size_t i) {
-    s.x[i] = box_.project(s.x[i], s.r[i], from.set.tangent[i]);
-  });
+  for_all(s.size(), settings_.threads,
+          [&](std::size_t i) { s.x[i] = box_.project(s.x[i], s.r[i], from.set.tangent[i]); });
   return s;
 }
 

@@ -11,11 +11,11 @@
 namespace breccia::labra_onate {
 
 struct OptimiserSettings {
-  std::size_t pairs = 0;        ///< of the neighbour set
-  int max_iterations = 200;     ///< of each stage
-  double tolerance = 1e-4;      ///< a stage ends when the energy falls by less than this share, three times in a row
+  std::size_t pairs = 0;     ///< of the neighbour set
+  int max_iterations = 200;  ///< of each stage
+  double tolerance = 1e-4;   ///< a stage ends when the energy falls by less than this share, three times in a row
   int threads = 1;
-  std::optional<double> size_correlation = {};   ///< of neighbours, to be set up between arranging and optimising
+  std::optional<double> size_correlation = {};  ///< of neighbours, to be set up between arranging and optimising
 };
 
 /// The energy of a stage after each accepted step, and how it ended.
@@ -44,7 +44,7 @@ class Optimiser {
     bool radii_free;
     std::size_t pairs;
     int max_iterations;
-    double share_begin, share_end;   // of the whole work, for the progress bar
+    double share_begin, share_end;  // of the whole work, for the progress bar
   };
   struct Candidate {
     Spheres s;

@@ -28,8 +28,15 @@ void measure_pairs(const Spheres& s, const NeighbourSet& set, Quality& q) {
       if (j < i) continue;
       const Vec3 d = s.x[j] - s.x[i];
       const double gap = d.norm() / (s.r[i] + s.r[j]) - 1;
-      if (gap < 0) { ++overlaps; q.mean_overlap -= gap; q.max_overlap = std::max(q.max_overlap, -gap); }
-      else { ++gaps; q.mean_gap += gap; q.max_gap = std::max(q.max_gap, gap); }
+      if (gap < 0) {
+        ++overlaps;
+        q.mean_overlap -= gap;
+        q.max_overlap = std::max(q.max_overlap, -gap);
+      } else {
+        ++gaps;
+        q.mean_gap += gap;
+        q.max_gap = std::max(q.max_gap, gap);
+      }
       q.misfit += gap * gap;
       if (d.squaredNorm() > 0) q.fabric += d.cwiseAbs2() / d.squaredNorm();
     }

@@ -8,17 +8,17 @@
 namespace breccia::labra_onate {
 
 struct Quality {
-  double porosity = 0;                            // overlaps counted twice
+  double porosity = 0;                                                           // overlaps counted twice
   double radius_mean = 0, radius_deviation = 0, radius_min = 0, radius_max = 0;  // [m]
-  double neighbours = 0;                          ///< mean number per particle in the neighbour set
-  double tolerance = 0;                           ///< widest relative gap in the set
-  double mean_overlap = 0, max_overlap = 0;       ///< relative to the sum of the radii, over the set
-  double mean_gap = 0, max_gap = 0;               ///< likewise
-  double misfit = 0;                              ///< root mean square of (d - s)/s over the set
-  double size_correlation = 0;                    ///< of the radii of neighbours
-  Vec3 fabric = Vec3::Zero();                     ///< diagonal of <n (x) n> over the set
-  std::size_t at_wall = 0;                        ///< particles near enough to a wall to be drawn to it
-  double tangent = 0;                             ///< share of them that touch it within 1e-3 r
+  double neighbours = 0;                                     ///< mean number per particle in the neighbour set
+  double tolerance = 0;                                      ///< widest relative gap in the set
+  double mean_overlap = 0, max_overlap = 0;                  ///< relative to the sum of the radii, over the set
+  double mean_gap = 0, max_gap = 0;                          ///< likewise
+  double misfit = 0;                                         ///< root mean square of (d - s)/s over the set
+  double size_correlation = 0;                               ///< of the radii of neighbours
+  Vec3 fabric = Vec3::Zero();                                ///< diagonal of <n (x) n> over the set
+  std::size_t at_wall = 0;                                   ///< particles near enough to a wall to be drawn to it
+  double tangent = 0;                                        ///< share of them that touch it within 1e-3 r
   std::array<std::size_t, Container::max_walls> touching{};  ///< per wall, within 1e-3 of the radius
 };
 

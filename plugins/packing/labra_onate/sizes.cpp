@@ -20,14 +20,18 @@ void judge_porosity(double porosity, int dimension, Host& host) {
   const double impossible = dimension == 2 ? 0.03 : 0.10, tight = dimension == 2 ? 0.08 : 0.18;
   const double loose = dimension == 2 ? 0.25 : 0.45;
   if (porosity < impossible - 1e-9)
-    throw UserError(text("a porosity of %.3g %% is out of reach: particles would mostly lie inside each other. Ask for "
-                         "at least %.3g %%, with fewer particles or smaller radii", 100 * porosity, 100 * impossible));
+    throw UserError(
+        text("a porosity of %.3g %% is out of reach: particles would mostly lie inside each other. Ask for "
+             "at least %.3g %%, with fewer particles or smaller radii",
+             100 * porosity, 100 * impossible));
   if (porosity < tight - 1e-9)
     host.warn(text("a porosity of %.3g %% means large overlaps: see the overlaps in the report of the packing",
                    100 * porosity));
   if (porosity > loose + 1e-9)
-    host.warn(text("a porosity of %.3g %% is too loose for a dense packing: particles will gather in clusters with "
-                   "voids between them", 100 * porosity));
+    host.warn(
+        text("a porosity of %.3g %% is too loose for a dense packing: particles will gather in clusters with "
+             "voids between them",
+             100 * porosity));
 }
 
 }  // namespace
@@ -49,9 +53,10 @@ Sizes choose_sizes(const Config& c, const RadiusLaw& law, const Container& box, 
     const double ratio = (1 - *c.porosity) * box.measure() / solid_measure(sizes.radii, dimension);
     sizes.factor = std::pow(ratio, 1.0 / dimension);
     if (sizes.factor > 1.5 || sizes.factor < 1 / 1.5)
-      throw UserError(text("these radii do not go with this porosity: they would have to be multiplied by %.3g. About "
-                           "%.0f particles of these radii give it; change particles, porosity, radius or container",
-                           sizes.factor, double(n) * ratio));
+      throw UserError(
+          text("these radii do not go with this porosity: they would have to be multiplied by %.3g. About "
+               "%.0f particles of these radii give it; change particles, porosity, radius or container",
+               sizes.factor, double(n) * ratio));
     if (std::abs(sizes.factor - 1) > 0.02)
       host.warn(text("all radii were multiplied by %.4f, so that %.0f particles give the porosity asked for",
                      sizes.factor, double(n)));
@@ -59,8 +64,10 @@ Sizes choose_sizes(const Config& c, const RadiusLaw& law, const Container& box, 
   }
   judge_porosity(1 - solid_measure(sizes.radii, dimension) / box.measure(), dimension, host);
   if (sizes.radii.back() > box.largest_radius())
-    throw UserError(text("the largest particle, of radius %.4g m, does not fit into the container, where %.4g m is the "
-                         "largest that does", sizes.radii.back(), box.largest_radius()));
+    throw UserError(
+        text("the largest particle, of radius %.4g m, does not fit into the container, where %.4g m is the "
+             "largest that does",
+             sizes.radii.back(), box.largest_radius()));
   return sizes;
 }
 

@@ -21,7 +21,8 @@ struct Cell {
 Cell cell_of(Lattice lattice) {
   const double root2 = std::numbers::sqrt2, root3 = std::numbers::sqrt3;
   switch (lattice) {
-    case Lattice::simple_cubic: return {Vec3(1, 1, 1), {Vec3(0, 0, 0)}};
+    case Lattice::simple_cubic:
+      return {Vec3(1, 1, 1), {Vec3(0, 0, 0)}};
     case Lattice::body_centred_cubic:
       return {Vec3::Constant(2 / root3), {Vec3(0, 0, 0), Vec3(0.5, 0.5, 0.5)}};
     case Lattice::face_centred_cubic:
@@ -29,8 +30,10 @@ Cell cell_of(Lattice lattice) {
     case Lattice::hexagonal_close_packed:
       return {Vec3(1, root3, std::sqrt(8.0 / 3)),
               {Vec3(0, 0, 0), Vec3(0.5, 0.5, 0), Vec3(0, 1.0 / 3, 0.5), Vec3(0.5, 5.0 / 6, 0.5)}};
-    case Lattice::square: return {Vec3(1, 1, 0), {Vec3(0, 0, 0)}};
-    default: return {Vec3(1, root3, 0), {Vec3(0, 0, 0), Vec3(0.5, 0.5, 0)}};
+    case Lattice::square:
+      return {Vec3(1, 1, 0), {Vec3(0, 0, 0)}};
+    default:
+      return {Vec3(1, root3, 0), {Vec3(0, 0, 0), Vec3(0.5, 0.5, 0)}};
   }
 }
 
@@ -49,10 +52,12 @@ class Regular final : public Packing {
 
   static void describe(Schema<Config>& s) {
     s.summary("Regular lattice of equal spheres or discs")
-        .source("textbook; a simple cubic lattice with the bonds of Rojek et al. (2012) has Young's modulus E_c exactly")
+        .source(
+            "textbook; a simple cubic lattice with the bonds of Rojek et al. (2012) has Young's modulus E_c exactly")
         .details(
             "Lattice sites are kept where a whole sphere is inside the container. In a box the lattice begins at the "
-            "lower corner with spheres that touch the walls; in a cylinder a site of the lowest layer is on the axis; in "
+            "lower corner with spheres that touch the walls; in a cylinder a site of the lowest layer is on the axis; "
+            "in "
             "a sphere or disc one is at the centre. Cell edges are along x, y, z; the c axis of the hexagonal close "
             "packing is z.");
     s.param("lattice", &Config::lattice)
@@ -65,15 +70,16 @@ class Regular final : public Packing {
         .doc("arrangement of the centres");
     s.param("container", &Config::container).doc("the space to be filled");
     s.param("radius", &Config::radius).unit("m").above(0).example("1 mm").doc("of every particle");
-    s.param("gap", &Config::gap).above(-0.5).at_most(1).fallback(0.0)
+    s.param("gap", &Config::gap)
+        .above(-0.5)
+        .at_most(1)
+        .fallback(0.0)
         .doc("between nearest neighbours, over the sum of their radii; below zero they overlap");
     s.check([](const Config& c, Issues& issues) {
       try {
         if (c.radius > c.container.make().largest_radius())
           issues.push_back({"radius", "not one particle of this radius fits into the container"});
-      } catch (const UserError& e) {
-        issues.push_back({"container", e.what()});
-      }
+      } catch (const UserError& e) { issues.push_back({"container", e.what()}); }
     });
   }
 
@@ -87,8 +93,8 @@ class Regular final : public Packing {
     const Cell cell = cell_of(config_.lattice);
     const double spacing = 2 * config_.radius * (1 + config_.gap), r = config_.radius;
     const Vec3 first = origin(container, r), edge = spacing * cell.size;
-    const double sites = container.measure() / (request.dimension == 2 ? edge.x() * edge.y() : edge.prod()) *
-                         double(cell.sites.size());
+    const double sites =
+        container.measure() / (request.dimension == 2 ? edge.x() * edge.y() : edge.prod()) * double(cell.sites.size());
     if (sites > 50e6) throw UserError("this lattice has more than 50 million particles: use a larger radius");
     PackedParticles packed;
     // From the first site the container reaches no farther than its own size either way.
@@ -118,8 +124,10 @@ class Regular final : public Packing {
   static Vec3 origin(const Container& c, double r) {
     const bool flat = c.dimension() == 2;
     switch (c.shape()) {
-      case Container::Shape::cylinder: return {0, 0, r};
-      case Container::Shape::sphere: return flat ? Vec3(0, 0.5 * c.size().y(), 0) : Vec3(0, 0, 0.5 * c.size().z());
+      case Container::Shape::cylinder:
+        return {0, 0, r};
+      case Container::Shape::sphere:
+        return flat ? Vec3(0, 0.5 * c.size().y(), 0) : Vec3(0, 0, 0.5 * c.size().z());
       default:
         return flat ? Vec3(-0.5 * c.size().x() + r, r, 0) : Vec3(-0.5 * c.size().x() + r, -0.5 * c.size().y() + r, r);
     }

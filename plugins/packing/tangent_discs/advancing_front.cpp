@@ -8,10 +8,10 @@
 namespace breccia::tangent_discs {
 
 namespace {
-constexpr double rounding = 1e-13;          // over the radius: an overlap that is none
-constexpr double unpolished = 1e-9;         // of the closed form
-constexpr double likely_solid = 0.86;       // for the progress shown only
-constexpr std::size_t tell_every = 500;     // discs
+constexpr double rounding = 1e-13;       // over the radius: an overlap that is none
+constexpr double unpolished = 1e-9;      // of the closed form
+constexpr double likely_solid = 0.86;    // for the progress shown only
+constexpr std::size_t tell_every = 500;  // discs
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 }  // namespace
 
@@ -20,8 +20,9 @@ AdvancingFront::AdvancingFront(const Container& container, double min, double ma
   const double w = container.size().x(), h = container.size().y();
   if (container.shape() == Container::Shape::sphere) {
     curves_.push_back({Vec2(0, 0.5 * h), -0.5 * w, false});
-  } else {   // counterclockwise, so that neighbours have the inside to their left
-    curves_ = {{Vec2(0, 1), 0, true}, {Vec2(-1, 0), -0.5 * w, true}, {Vec2(0, -1), -h, true}, {Vec2(1, 0), -0.5 * w, true}};
+  } else {  // counterclockwise, so that neighbours have the inside to their left
+    curves_ = {
+        {Vec2(0, 1), 0, true}, {Vec2(-1, 0), -0.5 * w, true}, {Vec2(0, -1), -h, true}, {Vec2(1, 0), -0.5 * w, true}};
   }
   walls_ = curves_.size();
   low_ = Vec2(-0.5 * w, 0);
@@ -120,7 +121,7 @@ void AdvancingFront::find_near(const Pocket& pocket) {
   double reach = (pocket.a < walls_ ? b.r : a.r) + 3 * max_;
   if (std::max(pocket.a, pocket.b) < walls_) {
     if (!touching(a, b, 1, max_, corner)) return;
-    middle = corner.x;   // centres of all discs in the corner are within 2 max of it
+    middle = corner.x;  // centres of all discs in the corner are within 2 max of it
     reach = 4 * max_;
   }
   for_each_near(middle, reach, [&](Id c) {
@@ -160,8 +161,8 @@ void AdvancingFront::add(const Disc& disc, std::span<const Id> touched) {
   if (discs_.size() % tell_every == 0) tell();
 }
 
-/// Pockets beside curves that do not touch are found last. A free place for the smallest disc can be moved until the disc
-/// touches two curves, and those are then less than its diameter apart: when none of these is free, there is none.
+/// Pockets beside curves that do not touch are found last. A free place for the smallest disc can be moved until the
+/// disc touches two curves, and those are then less than its diameter apart: when none of these is free, there is none.
 bool AdvancingFront::search_gaps() {
   const std::size_t before = discs_.size();
   std::vector<Id> partners;
@@ -191,7 +192,8 @@ std::size_t AdvancingFront::cell_of(const Vec2& x) const {
 }
 
 /// Calls f for all discs with their centres within reach of x, and for some beyond.
-template <class F> void AdvancingFront::for_each_near(const Vec2& x, double reach, F&& f) const {
+template <class F>
+void AdvancingFront::for_each_near(const Vec2& x, double reach, F&& f) const {
   const auto cell = [&](double at, std::size_t count) {
     return std::size_t(std::clamp(std::floor(at / cell_), 0.0, double(count - 1)));
   };

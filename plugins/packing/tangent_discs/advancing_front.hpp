@@ -30,7 +30,7 @@ class AdvancingFront {
   std::size_t touches_at_walls() const { return at_walls_; }
 
  private:
-  using Id = std::uint32_t;   ///< of a curve: walls first, then discs
+  using Id = std::uint32_t;  ///< of a curve: walls first, then discs
   /// The space beside two curves that are so near each other that the smallest disc cannot pass between them.
   struct Pocket {
     Id a, b;
@@ -52,7 +52,8 @@ class AdvancingFront {
   bool search_gaps();
   double random_radius();
   std::size_t cell_of(const Vec2& x) const;
-  template <class F> void for_each_near(const Vec2& x, double reach, F&& f) const;
+  template <class F>
+  void for_each_near(const Vec2& x, double reach, F&& f) const;
   void tell();
 
   Container container_;
@@ -63,14 +64,14 @@ class AdvancingFront {
   std::vector<Disc> discs_;
   std::vector<Touch> touches_;
   std::size_t walls_ = 0, at_walls_ = 0;
-  double solid_ = 0;                        ///< area of the discs over pi
+  double solid_ = 0;  ///< area of the discs over pi
   std::queue<Pocket> along_walls_, inside_;
-  std::vector<Id> near_;                    ///< curves that can be in the way in the pocket being filled
+  std::vector<Id> near_;  ///< curves that can be in the way in the pocket being filled
   std::vector<Candidate> candidates_;
-  Vec2 low_;                                ///< of the grid
+  Vec2 low_;  ///< of the grid
   double cell_ = 0;
   std::size_t columns_ = 0, rows_ = 0;
-  std::vector<Id> head_, next_;             ///< discs of each cell as a list
+  std::vector<Id> head_, next_;  ///< discs of each cell as a list
 };
 
 }  // namespace breccia::tangent_discs

@@ -6,8 +6,8 @@
 namespace breccia::tangent_discs {
 
 namespace {
-constexpr double parallel = 1e-10;   // sine of the angle between planes or lines that count as parallel
-constexpr int newton_steps = 3;      // the closed form is right to ten digits or so
+constexpr double parallel = 1e-10;  // sine of the angle between planes or lines that count as parallel
+constexpr int newton_steps = 3;     // the closed form is right to ten digits or so
 }  // namespace
 
 bool touching(const Curve& a, const Curve& b, int side, double r, Disc& out) {
@@ -30,7 +30,7 @@ bool touching(const Curve& a, const Curve& b, int side, double r, Disc& out) {
   const Vec2 way = b.at - a.at;
   const double d2 = way.squaredNorm();
   if (d2 == 0) return false;
-  const double reach = a.r + r, along = 0.5 * (1 + (reach * reach - (b.r + r) * (b.r + r)) / d2);   // over |way|
+  const double reach = a.r + r, along = 0.5 * (1 + (reach * reach - (b.r + r) * (b.r + r)) / d2);  // over |way|
   const double square = reach * reach / d2 - along * along;
   if (square < 0) return false;
   out.x = a.at + along * way + side * std::sqrt(square) * Vec2(-way.y(), way.x());
@@ -48,14 +48,14 @@ int side_of(const Curve& a, const Curve& b, const Vec2& x) {
   return way.x() * arm.y() - way.y() * arm.x() >= 0 ? 1 : -1;
 }
 
-/// Unknowns x, y, s, seen from the centre of a curve that is not straight, radius r0: x^2 + y^2 = (r0 + s)^2. A straight
-/// wall is a plane in (x, y, s); so is the difference of two such cones. The planes meet in a line p + t u, which meets
-/// the cone where A t^2 + 2 B t + C = 0.
+/// Unknowns x, y, s, seen from the centre of a curve that is not straight, radius r0: x^2 + y^2 = (r0 + s)^2. A
+/// straight wall is a plane in (x, y, s); so is the difference of two such cones. The planes meet in a line p + t u,
+/// which meets the cone where A t^2 + 2 B t + C = 0.
 int touching(const Curve& a, const Curve& b, const Curve& c, Disc* out) {
   const Curve* curve[3] = {&a, &b, &c};
   int first = 0;
   while (first < 3 && curve[first]->straight) ++first;
-  if (first == 3) return 0;   // three straight walls: their disc fills the container
+  if (first == 3) return 0;  // three straight walls: their disc fills the container
   const Vec2 origin = curve[first]->at;
   const double r0 = curve[first]->r;
   Vec3 normal[2];
@@ -92,7 +92,7 @@ int touching(const Curve& a, const Curve& b, const Curve& c, Disc* out) {
   if (q != 0) t[roots++] = C / q;
   for (int k = 0; k < roots; ++k) {
     const Disc disc{origin + Vec2(p.x() + t[k] * u.x(), p.y() + t[k] * u.y()), p.z() + t[k] * u.z()};
-    bool real = disc.r > 0;   // the squares also hold for discs that round walls touch from outside
+    bool real = disc.r > 0;  // the squares also hold for discs that round walls touch from outside
     for (const Curve* o : curve) real = real && (o->straight || o->r >= 0 || o->r + disc.r <= 0);
     if (real) out[found++] = disc;
   }
@@ -103,7 +103,7 @@ void polish(std::span<const Curve> touched, Disc& disc) {
   for (int step = 0; step < newton_steps; ++step) {
     Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
     Vec3 miss = Vec3::Zero();
-    m(2, 2) = 1;   // the radius stays, unless a third curve says otherwise
+    m(2, 2) = 1;  // the radius stays, unless a third curve says otherwise
     for (std::size_t k = 0; k < touched.size(); ++k) {
       const Curve& o = touched[k];
       Vec2 outward = o.at;

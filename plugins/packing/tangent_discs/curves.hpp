@@ -13,8 +13,8 @@ namespace breccia::tangent_discs {
 using Vec2 = Eigen::Vector2d;
 
 /// What a disc may touch. A disc: its centre and r > 0. A round wall, touched from inside: its centre and r = minus its
-/// radius, so that for both a touching disc of radius s has its centre |r + s| away. A straight wall: unit normal toward
-/// the inside, and r = the normal's product with any point of the wall. Lengths in metres.
+/// radius, so that for both a touching disc of radius s has its centre |r + s| away. A straight wall: unit normal
+/// toward the inside, and r = the normal's product with any point of the wall. Lengths in metres.
 struct Curve {
   Vec2 at;
   double r;
@@ -29,8 +29,8 @@ struct Curve {
 };
 
 struct Disc {
-  Vec2 x;     // [m]
-  double r;   // [m]
+  Vec2 x;    // [m]
+  double r;  // [m]
 };
 
 /// The disc of radius r that touches a and b, on the given side (1: left, -1: right) of the way from a to b, or of the

@@ -14,17 +14,19 @@ namespace breccia::tangent_discs {
 
 namespace {
 
-constexpr double smallest_share = 1e-4;   // of the container: for smaller radii rounding spoils the touching
-constexpr double nearly = 1e-3;           // gap over r_i + r_j up to which the discs of Ouyang et al. (2017) are bonded
+constexpr double smallest_share = 1e-4;  // of the container: for smaller radii rounding spoils the touching
+constexpr double nearly = 1e-3;          // gap over r_i + r_j up to which the discs of Ouyang et al. (2017) are bonded
 
 struct Quality {
-  double max_overlap = 0, max_gap = 0;   // over r_i + r_j, of the pairs made to touch
-  std::size_t nearly_touching = 0;       // other pairs
+  double max_overlap = 0, max_gap = 0;  // over r_i + r_j, of the pairs made to touch
+  std::size_t nearly_touching = 0;      // other pairs
 };
 
 Quality measure(const AdvancingFront& front, const PackedParticles& p, double max) {
   Quality q;
-  const auto gap = [&](Index i, Index j) { return (p.position[i] - p.position[j]).norm() / (p.radius[i] + p.radius[j]) - 1; };
+  const auto gap = [&](Index i, Index j) {
+    return (p.position[i] - p.position[j]).norm() / (p.radius[i] + p.radius[j]) - 1;
+  };
   for (const Touch& t : front.touches()) {
     q.max_overlap = std::max(q.max_overlap, -gap(t.i, t.j));
     q.max_gap = std::max(q.max_gap, gap(t.i, t.j));
@@ -48,10 +50,13 @@ class TangentDiscs final : public Packing {
     s.summary("Dense packing of discs that touch two or three neighbours exactly, by a geometric advancing front")
         .source("specimens of Ouyang et al. (2017), Appl. Sci. 7, 686, section 2.4; the method here is Breccia's own")
         .details(
-            "Two dimensions only. Discs are placed one after the other and never moved. In the pocket between two discs (or "
-            "walls) a disc grows until it meets a third: if its radius is then between radius_min and radius_max it touches "
+            "Two dimensions only. Discs are placed one after the other and never moved. In the pocket between two "
+            "discs (or "
+            "walls) a disc grows until it meets a third: if its radius is then between radius_min and radius_max it "
+            "touches "
             "three, if the pocket is too narrow it stays void, and if it is wider than radius_max a disc with a random "
-            "radius, uniform between the two, touches two. The walls are lined first and the front moves inward until no disc of "
+            "radius, uniform between the two, touches two. The walls are lined first and the front moves inward until "
+            "no disc of "
             "radius_min fits anywhere. Mean radius, porosity (about 14 % for a ratio of 3) and coordination number "
             "(about 5) follow.");
     s.param("container", &Config::container).doc("a box (a rectangle here) or a sphere (a disc here)");
@@ -65,9 +70,7 @@ class TangentDiscs final : public Packing {
           issues.push_back({"radius_max", "the largest disc does not fit into the container"});
         if (c.radius_min < smallest_share * container.size().maxCoeff())
           issues.push_back({"radius_min", "is less than 1/10000 of the container: use larger radii"});
-      } catch (const UserError& e) {
-        issues.push_back({"container", e.what()});
-      }
+      } catch (const UserError& e) { issues.push_back({"container", e.what()}); }
     });
   }
 
@@ -88,8 +91,8 @@ class TangentDiscs final : public Packing {
     packed.container_volume = container.measure() * request.thickness;
     report(front, container, packed);
     char line[200];
-    std::snprintf(line, sizeof line, "packed %zu discs: porosity %.4f, %.3f tangent neighbours each", packed.radius.size(),
-                  packed.report[1].got, packed.report[2].got);
+    std::snprintf(line, sizeof line, "packed %zu discs: porosity %.4f, %.3f tangent neighbours each",
+                  packed.radius.size(), packed.report[1].got, packed.report[2].got);
     host.info(line);
     return packed;
   }

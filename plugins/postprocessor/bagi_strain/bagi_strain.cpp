@@ -39,11 +39,19 @@ class BagiStrain final : public Postprocessor {
             "symmetric part of their volume-weighted mean gradient, for small strains. Components are positive in "
             "extension; `axial_strain` and `volumetric_strain` are positive in compression, `lateral_strain` in "
             "extension.");
-    s.param("hull_gap", &Config::hull_gap).above(0).fallback(1.0)
-        .doc("simplices on the outline that bridge a gap between two particles wider than this many mean particle "
-             "diameters are left out, from outside inward");
-    s.param("min_bonds", &Config::min_bonds).at_least(0).at_most(12).fallback(0)
-        .doc("particles that have fewer bonds when the specimen is bonded do not count: loose ones on the surface move without it");
+    s.param("hull_gap", &Config::hull_gap)
+        .above(0)
+        .fallback(1.0)
+        .doc(
+            "simplices on the outline that bridge a gap between two particles wider than this many mean particle "
+            "diameters are left out, from outside inward");
+    s.param("min_bonds", &Config::min_bonds)
+        .at_least(0)
+        .at_most(12)
+        .fallback(0)
+        .doc(
+            "particles that have fewer bonds when the specimen is bonded do not count: loose ones on the surface move "
+            "without it");
   }
 
   explicit BagiStrain(const Config& config) : config_(config) {}
@@ -57,8 +65,9 @@ class BagiStrain final : public Postprocessor {
     volumetric_ = recorder.add({"volumetric_strain", "1", "mean volumetric strain, positive in compression"});
     refer(view);
     if (mean_.report().peeled_volume_share > 0.25)
-      host.warn("bagi_strain: more than a quarter of the volume spanned by the particle centres counts as gaps of the "
-                "outline and is left out of the strain; if the packing is meant to be this loose, raise hull_gap");
+      host.warn(
+          "bagi_strain: more than a quarter of the volume spanned by the particle centres counts as gaps of the "
+          "outline and is left out of the strain; if the packing is meant to be this loose, raise hull_gap");
   }
 
   void start_of_loading(const SimulationView& view) override { refer(view); }
@@ -116,7 +125,8 @@ class BagiStrain final : public Postprocessor {
     mean_ = MeanStrain(view.dimension, of_kept(now, position_), radius, config_.hull_gap * 2 * mean_radius);
   }
 
-  /// The particles that count, and for each particle the one whose local strain it shows: itself, or the nearest that counts.
+  /// The particles that count, and for each particle the one whose local strain it shows: itself, or the nearest that
+  /// counts.
   void choose(const SimulationView& view) {
     const ParticlesView& p = view.particles;
     std::vector<long> bonds(p.size(), 0);
@@ -138,7 +148,10 @@ class BagiStrain final : public Postprocessor {
       double least = 1e300;
       for (std::size_t n = 0; n < kept_.size(); ++n) {
         const double d = (p.initial_position[kept_[n]] - p.initial_position[k]).squaredNorm();
-        if (d < least) { least = d; shown_as_[k] = Index(n); }
+        if (d < least) {
+          least = d;
+          shown_as_[k] = Index(n);
+        }
       }
     }
   }

@@ -28,8 +28,9 @@ MeanStrain::MeanStrain(int dimension, std::span<const Vec3> reference, std::span
   report_.volume = total_volume(triangulation_, reference);
   report_.peeled_volume_share = hull_volume > 0 ? 1 - report_.volume / hull_volume : 0;
   if (report_.simplices == 0)
-    throw UserError("bagi_strain: the particles of the packing are so far apart that no part of it counts as filled; "
-                    "raise hull_gap, or use a denser packing");
+    throw UserError(
+        "bagi_strain: the particles of the packing are so far apart that no part of it counts as filled; "
+        "raise hull_gap, or use a denser packing");
 
   weight_.assign(count, Vec3::Zero());
   std::vector<char> corner(count, 0);
@@ -59,7 +60,10 @@ MeanStrain::MeanStrain(int dimension, std::span<const Vec3> reference, std::span
     if (!corner[p])
       for (const Index q : corners) {
         const double distance = (reference_[p] - reference_[q]).squaredNorm();
-        if (distance < nearest) { nearest = distance; stand_in_[p] = q; }
+        if (distance < nearest) {
+          nearest = distance;
+          stand_in_[p] = q;
+        }
       }
   }
 }

@@ -67,9 +67,10 @@ std::vector<Index> lower_hull(int dimension, std::vector<double> points) {
   const int code = qh_new_qhull(qh, dimension, count + 1, points.data(), False, options, nullptr, errors.file());
   if (code == qh_ERRmem) throw UserError("bagi_strain: not enough memory to triangulate the packing");
   if (code != 0)
-    throw UserError("bagi_strain: the particle centres of the packing could not be triangulated. Likely many of them "
-                    "coincide, or lie almost in one plane; check the packing for repeated particles. Qhull says: " +
-                    errors.first_line());
+    throw UserError(
+        "bagi_strain: the particle centres of the packing could not be triangulated. Likely many of them "
+        "coincide, or lie almost in one plane; check the packing for repeated particles. Qhull says: " +
+        errors.first_line());
 
   std::vector<Index> corners;
   facetT* facet;

@@ -30,8 +30,10 @@ double longest_edge(const Triangulation& t, const std::array<Index, 4>& s, std::
 void require_volume(int dimension, std::span<const Vec3> centre) {
   const std::string what = dimension == 3 ? "tetrahedra" : "triangles";
   if (centre.size() < std::size_t(dimension) + 1)
-    throw UserError("bagi_strain: the packing has " + std::to_string(centre.size()) + " particles; strain is averaged "
-                    "over " + what + " of their centres, which takes at least " + std::to_string(dimension + 1));
+    throw UserError("bagi_strain: the packing has " + std::to_string(centre.size()) +
+                    " particles; strain is averaged "
+                    "over " +
+                    what + " of their centres, which takes at least " + std::to_string(dimension + 1));
   Vec3 mean = Vec3::Zero();
   for (const Vec3& x : centre) mean += x;
   mean /= double(centre.size());
@@ -58,7 +60,10 @@ double tie_breaker(std::size_t k) {
 /// alike, so that neighbours meet face to face.
 std::vector<double> lift(int dimension, std::span<const Vec3> centre, std::span<const double> radius) {
   Vec3 low = centre[0], high = centre[0];
-  for (const Vec3& x : centre) { low = low.cwiseMin(x); high = high.cwiseMax(x); }
+  for (const Vec3& x : centre) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
   const Vec3 middle = 0.5 * (low + high);
   const double scale = 2 / (high - low).maxCoeff();
   double mean_r2 = 0;
@@ -181,7 +186,10 @@ std::size_t peel_hull(Triangulation& t, std::span<const Vec3> centre, std::span<
   std::vector<std::size_t> front;
   std::vector<char> peeled(count, 0);
   const auto visit = [&](std::size_t s) {
-    if (wide[s] && !peeled[s]) { peeled[s] = 1; front.push_back(s); }
+    if (wide[s] && !peeled[s]) {
+      peeled[s] = 1;
+      front.push_back(s);
+    }
   };
   for (std::size_t s = 0; s < count; ++s)
     if (outside[s]) visit(s);

@@ -105,9 +105,11 @@ class BondStatistics final : public Postprocessor {
         .details(
             "Statistics are of the size of the normal force of the bonds that hold. The strong network is what carries "
             "more than the mean. Gaps are d0/(r_i + r_j) - 1 when the bonds were made.");
-    s.param("peak_of", &Config::peak_of).example("axial_stress")
-        .doc("curve whose largest value says when the summary's statistics at the peak are taken; when left out, "
-             "axial_stress if there is such a curve");
+    s.param("peak_of", &Config::peak_of)
+        .example("axial_stress")
+        .doc(
+            "curve whose largest value says when the summary's statistics at the peak are taken; when left out, "
+            "axial_stress if there is such a curve");
   }
 
   explicit BondStatistics(const Config& config) : config_(config) {}

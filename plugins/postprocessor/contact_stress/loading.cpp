@@ -32,7 +32,8 @@ double axial_stress(const SimulationView& view) {
   return -sum / view.specimen.volume;
 }
 
-std::vector<DirectionBin> by_direction(const SimulationView& view, std::size_t bins, double area_factor, std::optional<double> limit) {
+std::vector<DirectionBin> by_direction(const SimulationView& view, std::size_t bins, double area_factor,
+                                       std::optional<double> limit) {
   std::vector<DirectionBin> all(bins);
   const ParticlesView& p = view.particles;
   for (std::size_t k = 0; k < view.pairs.size(); ++k) {

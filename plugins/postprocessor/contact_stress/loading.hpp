@@ -17,19 +17,20 @@ struct DirectionBin {
 };
 
 struct Snapshot {
-  double axial_stress = 0;        ///< of the specimen, compression positive [Pa]
-  double time = 0;                ///< [s]
-  std::vector<DirectionBin> bins; ///< equal intervals from 0 (across the axis) to pi/2 (along it)
+  double axial_stress = 0;         ///< of the specimen, compression positive [Pa]
+  double time = 0;                 ///< [s]
+  std::vector<DirectionBin> bins;  ///< equal intervals from 0 (across the axis) to pi/2 (along it)
 };
 
 /// Mean stress of the specimen along its axis, compression positive [Pa]: sum over pairs, walls and applied forces.
 double axial_stress(const SimulationView& view);
 
 /// Intact bonds, and pairs that exert a force. A compressive stress of `limit` or more counts as yielded.
-std::vector<DirectionBin> by_direction(const SimulationView& view, std::size_t bins, double area_factor, std::optional<double> limit);
+std::vector<DirectionBin> by_direction(const SimulationView& view, std::size_t bins, double area_factor,
+                                       std::optional<double> limit);
 
-/// Snapshots of the first way up, a constant factor of stress apart, and one of the highest stress: whatever the peak turns
-/// out to be, one of each share of it is there.
+/// Snapshots of the first way up, a constant factor of stress apart, and one of the highest stress: whatever the peak
+/// turns out to be, one of each share of it is there.
 class FirstLoading {
  public:
   static constexpr double step = 1.02;
@@ -44,7 +45,7 @@ class FirstLoading {
  private:
   std::size_t bins_;
   double lowest_share_;
-  std::vector<Snapshot> levels_;     // rising
+  std::vector<Snapshot> levels_;  // rising
   std::optional<Snapshot> highest_;
 };
 

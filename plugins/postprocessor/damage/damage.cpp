@@ -46,8 +46,8 @@ class Damage final : public Postprocessor {
     shear_ = recorder.add({"bonds_broken_shear", "1", "number of bonds broken in shear"});
     damage_ = recorder.add({"global_damage", "1", "broken bonds over all bonds made"});
     fragments_ = recorder.add({"fragments", "1", "number of fragments with more than one particle"});
-    largest_ = recorder.add({"largest_fragment_share", "1",
-                             "mass of the heaviest fragment over that of all particles"});
+    largest_ =
+        recorder.add({"largest_fragment_share", "1", "mass of the heaviest fragment over that of all particles"});
   }
 
   void start_of_loading(const SimulationView& view) override { before_loading_ = Broken(view.bonds).all; }

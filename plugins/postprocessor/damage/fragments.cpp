@@ -39,7 +39,7 @@ Fragments find_fragments(const ParticlesView& particles, const BondsView& bonds)
   for (std::size_t b = 0; b < bonds.size(); ++b)
     if (bonds.state[b] == BondState::intact) sets.unite(bonds.i[b], bonds.j[b]);
 
-  std::vector<double> mass(count, 0);            // by root
+  std::vector<double> mass(count, 0);  // by root
   std::vector<Index> first(count, Index(-1)), roots;
   double total = 0;
   for (std::size_t p = 0; p < count; ++p) {

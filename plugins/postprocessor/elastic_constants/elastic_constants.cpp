@@ -13,7 +13,10 @@ namespace {
 enum class Modulus { average, secant };
 enum class Sense { compression, tension };
 
-template <class T> Json or_null(const std::optional<T>& value) { return value ? Json(*value) : Json(); }
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
 
 std::optional<double> ratio(double a, double b) {
   if (b == 0) return {};
@@ -40,7 +43,8 @@ class ElasticConstants final : public Postprocessor {
             "`deviatoric_stress` in a confined test, so that it starts at zero.");
     s.param("stress", &Config::stress).fallback("axial_stress").doc("curve of the stress, compression positive");
     s.param("strain", &Config::strain).fallback("axial_strain").doc("curve of the axial strain, compression positive");
-    s.param("lateral", &Config::lateral).fallback("lateral_strain")
+    s.param("lateral", &Config::lateral)
+        .fallback("lateral_strain")
         .doc("curve of the lateral strain, extension positive");
     s.param("sense", &Config::sense)
         .choice("compression", Sense::compression, "the curves grow with the load")
@@ -52,11 +56,20 @@ class ElasticConstants final : public Postprocessor {
         .choice("secant", Modulus::secant, "secant from the origin")
         .doc("what the headline modulus and Poisson's ratio are; the summary has both")
         .fallback("average");
-    s.param("range_lower", &Config::range_lower).at_least(0).below(1).fallback(0.1)
+    s.param("range_lower", &Config::range_lower)
+        .at_least(0)
+        .below(1)
+        .fallback(0.1)
         .doc("share of the peak stress where the straight part begins, past seating");
-    s.param("range_upper", &Config::range_upper).above(0).at_most(1).fallback(0.4)
+    s.param("range_upper", &Config::range_upper)
+        .above(0)
+        .at_most(1)
+        .fallback(0.4)
         .doc("share of the peak stress where the straight part ends, before cracks begin to grow");
-    s.param("secant_at", &Config::secant_at).above(0).at_most(1).fallback(0.5)
+    s.param("secant_at", &Config::secant_at)
+        .above(0)
+        .at_most(1)
+        .fallback(0.5)
         .doc("share of the peak stress of the secant");
     s.check([](const Config& c, Issues& issues) {
       if (c.range_lower >= c.range_upper) issues.push_back({"range_lower", "must be less than range_upper"});
@@ -105,8 +118,9 @@ class ElasticConstants final : public Postprocessor {
     summary.own("after_peak", Json{{"last_stress_over_peak", c.stress.back() / peak.stress},
                                    {"strain_to_half_of_peak", half ? Json(half->strain - peak.strain) : Json()}});
     if (!peak.passed)
-      summary.own("note", "the run ended before the stress had fallen by 5 % from its largest value, which need not be "
-                          "the strength; all shares of the peak refer to it");
+      summary.own("note",
+                  "the run ended before the stress had fallen by 5 % from its largest value, which need not be "
+                  "the strength; all shares of the peak refer to it");
     else if (!slope)
       summary.own("note", "fewer than three samples lie in the range of the slope; sample more often or widen it");
   }

@@ -19,19 +19,26 @@ class Gauges final : public Postprocessor {
     s.summary("Lateral strain from the particles nearest the sides' mid-points, axial strain between two sections")
         .source("Ouyang et al. (2017), section 2.4: four particles nearest each side's mid-point")
         .details(
-            "`gauge_lateral_strain`: change of the mean distance, across the axis, of two groups of particles on opposite sides, over "
-            "that distance at the start of loading; in three dimensions the mean of two such pairs at right angles. Positive in "
-            "extension. `gauge_axial_strain`: the same along the axis between two sections of the specimen, `axial_length` of its "
+            "`gauge_lateral_strain`: change of the mean distance, across the axis, of two groups of particles on "
+            "opposite sides, over "
+            "that distance at the start of loading; in three dimensions the mean of two such pairs at right angles. "
+            "Positive in "
+            "extension. `gauge_axial_strain`: the same along the axis between two sections of the specimen, "
+            "`axial_length` of its "
             "height apart about the middle, each a layer as thick as two mean diameters. Positive in compression.");
     s.param("particles", &Config::particles).at_least(1).at_most(1000).fallback(4).doc("in each group on a side");
-    s.param("axial_length", &Config::axial_length).above(0).below(1).fallback(0.5)
+    s.param("axial_length", &Config::axial_length)
+        .above(0)
+        .below(1)
+        .fallback(0.5)
         .doc("distance of the two sections over the height");
   }
 
   explicit Gauges(const Config& config) : c_(config) {}
 
   void begin(const SimulationView& view, Recorder& recorder, Host&) override {
-    lateral_ = recorder.add({"gauge_lateral_strain", "1", "between particles nearest the sides' mid-points, positive in extension"});
+    lateral_ = recorder.add(
+        {"gauge_lateral_strain", "1", "between particles nearest the sides' mid-points, positive in extension"});
     axial_ = recorder.add({"gauge_axial_strain", "1", "between two sections along the axis, positive in compression"});
     refer(view);
   }
@@ -57,7 +64,7 @@ class Gauges final : public Postprocessor {
   struct Gauge {
     Vec3 direction = Vec3::Zero();
     std::vector<Index> low, high;
-    double length = 0;   ///< at the start of loading [m]
+    double length = 0;  ///< at the start of loading [m]
   };
 
   static double distance(std::span<const Vec3> x, const Gauge& g) {
@@ -68,7 +75,9 @@ class Gauges final : public Postprocessor {
     };
     return mean(g.high) - mean(g.low);
   }
-  static double strain(const SimulationView& view, const Gauge& g) { return distance(view.particles.position, g) / g.length - 1; }
+  static double strain(const SimulationView& view, const Gauge& g) {
+    return distance(view.particles.position, g) / g.length - 1;
+  }
 
   /// Groups and lengths as they are where displacements are counted from.
   void refer(const SimulationView& view) {
@@ -79,9 +88,11 @@ class Gauges final : public Postprocessor {
     for (const Vec3& side : cross_directions(s.axis, view.dimension)) {
       // The bounding box has its sides along x, y, z; a cylinder is as wide in all directions across its axis.
       const double half = 0.5 * side.cwiseAbs().dot(s.extent);
-      across_.push_back(checked({side, nearest(x, middle - half * side), nearest(x, middle + half * side), 0}, x, "lateral"));
+      across_.push_back(
+          checked({side, nearest(x, middle - half * side), nearest(x, middle + half * side), 0}, x, "lateral"));
     }
-    const double radius = std::accumulate(view.particles.radius.begin(), view.particles.radius.end(), 0.0) / double(x.size());
+    const double radius =
+        std::accumulate(view.particles.radius.begin(), view.particles.radius.end(), 0.0) / double(x.size());
     const double half = 0.5 * c_.axial_length * s.height;
     const auto layer = [&](double height) {
       std::vector<Index> group;
@@ -95,7 +106,8 @@ class Gauges final : public Postprocessor {
   static Gauge checked(Gauge g, std::span<const Vec3> x, const char* which) {
     if (!g.low.empty() && !g.high.empty()) g.length = distance(x, g);
     if (!(g.length > 0))
-      throw UserError(std::string("postprocessor gauges: the specimen has too few particles for the ") + which + " gauge");
+      throw UserError(std::string("postprocessor gauges: the specimen has too few particles for the ") + which +
+                      " gauge");
     return g;
   }
 

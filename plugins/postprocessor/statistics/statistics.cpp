@@ -93,13 +93,24 @@ class Statistics final : public Postprocessor {
             "n; 0 of the normal distribution), least and largest value of each quantity. Tables: "
             "`histogram_<quantity>`, and `rose_xy`, `rose_yz`, `rose_zx` of the directions projected on that plane; in "
             "two dimensions `rose_xy` only. An isotropic assembly has the same fraction in each sector.");
-    s.param("bins", &Config::bins).at_least(1).at_most(10000).fallback(30)
+    s.param("bins", &Config::bins)
+        .at_least(1)
+        .at_most(10000)
+        .fallback(30)
         .doc("number of bins of a histogram, between the least and the largest value");
-    s.param("sectors", &Config::sectors).at_least(2).at_most(3600).fallback(36)
+    s.param("sectors", &Config::sectors)
+        .at_least(2)
+        .at_most(3600)
+        .fallback(36)
         .doc("number of sectors of a rose; even, because a bond counts in both of its senses");
-    s.param("largest_tilt", &Config::largest_tilt).unit("rad").above(0).at_most(M_PI / 2).example("30 deg")
-        .doc("largest angle between a bond and the plane of a rose at which the bond counts there; when left out, all "
-             "bonds count, with the same weight");
+    s.param("largest_tilt", &Config::largest_tilt)
+        .unit("rad")
+        .above(0)
+        .at_most(M_PI / 2)
+        .example("30 deg")
+        .doc(
+            "largest angle between a bond and the plane of a rose at which the bond counts there; when left out, all "
+            "bonds count, with the same weight");
     s.check([](const Config& c, Issues& issues) {
       if (c.sectors % 2) issues.push_back({"sectors", "must be even: a bond counts in two opposite sectors"});
     });

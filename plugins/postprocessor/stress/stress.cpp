@@ -33,11 +33,14 @@ class Stress final : public Postprocessor {
   struct Config {};
   static void describe(Schema<Config>& s) {
     s.summary("Stress from the forces between the particles, averaged over the specimen")
-        .source("Christoffersen, Mehrabadi, Nemat-Nasser (1981), J. Appl. Mech. 48, 339-344; "
-                "Rojek et al. (2012), section 5.3")
+        .source(
+            "Christoffersen, Mehrabadi, Nemat-Nasser (1981), J. Appl. Mech. 48, 339-344; "
+            "Rojek et al. (2012), section 5.3")
         .details(
-            "sigma = (1/V) [sum over pairs of l_ij (x) F on i + sum over wall contacts and applied forces of (point where "
-            "it acts - centre) (x) force on the particle], l_ij from centre i to centre j, V the volume of the specimen as measured at the "
+            "sigma = (1/V) [sum over pairs of l_ij (x) F on i + sum over wall contacts and applied forces of (point "
+            "where "
+            "it acts - centre) (x) force on the particle], l_ij from centre i to centre j, V the volume of the "
+            "specimen as measured at the "
             "start of loading. Components are positive in tension; `axial_stress`, `lateral_stress` and `mean_stress` "
             "are positive in compression.");
   }

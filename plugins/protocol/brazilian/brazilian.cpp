@@ -20,23 +20,41 @@ class Brazilian final : public Protocol {
     s.summary("Splitting of a disc between two flat platens: indirect tensile strength")
         .source("ISRM (1978), Int. J. Rock Mech. Min. Sci. 15, 99-103; Oñate et al. (2015), section 10.1.3")
         .details(
-            "The specimen is a cylinder that lies on its mantle, or in two dimensions a disc. Two rigid planes start at the ends of a diameter "
-            "and close. With the mean load P of the two, the diameter D and the length t as measured from the particles, the tensile stress in "
+            "The specimen is a cylinder that lies on its mantle, or in two dimensions a disc. Two rigid planes start "
+            "at the ends of a diameter "
+            "and close. With the mean load P of the two, the diameter D and the length t as measured from the "
+            "particles, the tensile stress in "
             "the middle is 2 P/(pi D t).\n\n"
-            "Curves: `tensile_stress`, `load`, `platen_displacement` (by which the platens have come closer), `diametral_strain` (that over D), "
-            "`platen_imbalance`, `unbalanced_force_ratio`. The displacement of the particles across the load is the component of `displacement` "
+            "Curves: `tensile_stress`, `load`, `platen_displacement` (by which the platens have come closer), "
+            "`diametral_strain` (that over D), "
+            "`platen_imbalance`, `unbalanced_force_ratio`. The displacement of the particles across the load is the "
+            "component of `displacement` "
             "in the particle files.");
     describe_platens(s);
     s.param("axis", &Config::axis)
         .choice("automatic", Axis::automatic, "y; in a cylinder along y, z")
-        .choice("x", Axis::x, "").choice("y", Axis::y, "").choice("z", Axis::z, "")
-        .fallback("automatic").doc("direction of the load, across the axis of the cylinder");
-    s.param("max_displacement", &Config::max_displacement).above(0).below(1).fallback(0.03)
+        .choice("x", Axis::x, "")
+        .choice("y", Axis::y, "")
+        .choice("z", Axis::z, "")
+        .fallback("automatic")
+        .doc("direction of the load, across the axis of the cylinder");
+    s.param("max_displacement", &Config::max_displacement)
+        .above(0)
+        .below(1)
+        .fallback(0.03)
         .doc("the test ends when the platens have closed by this share of the diameter");
-    s.param("stop_load_ratio", &Config::stop_load_ratio).at_least(0).below(1).fallback(0.5)
+    s.param("stop_load_ratio", &Config::stop_load_ratio)
+        .at_least(0)
+        .below(1)
+        .fallback(0.5)
         .doc("the test ends once the load has fallen to this share of its peak; 0: never for this reason");
-    s.param("seating_load", &Config::seating_load_share).at_least(0).below(0.1).fallback(1e-5)
-        .doc("rows of curves.csv begin when both platens carry a stress over the section D t of this share of the bonds' modulus");
+    s.param("seating_load", &Config::seating_load_share)
+        .at_least(0)
+        .below(0.1)
+        .fallback(1e-5)
+        .doc(
+            "rows of curves.csv begin when both platens carry a stress over the section D t of this share of the "
+            "bonds' modulus");
   }
 
   explicit Brazilian(const Config& config) : c_(config) {}
@@ -45,7 +63,8 @@ class Brazilian final : public Protocol {
     const SpecimenShape& shape = view.specimen;
     const bool flat = view.dimension == 2;
     if (shape.outline != (flat ? SpecimenShape::Outline::ellipsoid : SpecimenShape::Outline::cylinder))
-      throw UserError(flat ? "protocol brazilian: the specimen must be a disc" : "protocol brazilian: the specimen must be a cylinder");
+      throw UserError(flat ? "protocol brazilian: the specimen must be a disc"
+                           : "protocol brazilian: the specimen must be a cylinder");
     int along = c_.axis == Axis::automatic ? 1 : int(c_.axis) - 1;
     if (c_.axis == Axis::automatic && !flat && std::abs(shape.axis.y()) > 0.5) along = 2;
     load_ = Vec3::Unit(along);
@@ -60,7 +79,8 @@ class Brazilian final : public Protocol {
     }
     diameter_ = high - low;
     thickness_ = flat ? view.thickness : shape.height;
-    const Vec3 middle = shape.base + (flat ? 0.0 : 0.5 * shape.height) * shape.axis, off = middle - middle.dot(load_) * load_;
+    const Vec3 middle = shape.base + (flat ? 0.0 : 0.5 * shape.height) * shape.axis,
+               off = middle - middle.dot(load_) * load_;
     platens_.setup(control, c_, off + low * load_, off + high * load_);
     modulus_ = control.bond_stiffness().modulus;
     stress_ = recorder.add({"tensile_stress", "Pa", "2 P/(pi D t) with the mean load P of the platens"});
@@ -77,18 +97,21 @@ class Brazilian final : public Protocol {
   }
 
   Progress sample(const SimulationView& view, LoadControl& control, Recorder& recorder) override {
-    const double below = platens_.force_below(control), above = platens_.force_above(control), load = 0.5 * (below + above);
+    const double below = platens_.force_below(control), above = platens_.force_above(control),
+                 load = 0.5 * (below + above);
     if (!s_.seated) {
       if (std::min(below, above) < c_.seating_load_share * modulus_ * diameter_ * thickness_ || load <= 0) {
         if (platens_.approach(control) < c_.max_displacement * diameter_) return Progress::running;
-        throw UserError("protocol brazilian: the platens have closed by max_displacement without both carrying seating_load");
+        throw UserError(
+            "protocol brazilian: the platens have closed by max_displacement without both carrying seating_load");
       }
       s_.seated = true;
       control.mark_start_of_loading();
     }
     s_.displacement = platens_.approach(control);
     s_.stress = 2 * load / (std::numbers::pi * diameter_ * thickness_);
-    const double values[5] = {load, s_.displacement, s_.displacement / diameter_, load > 0 ? (above - below) / load : 0.0, unbalanced_force_ratio(view)};
+    const double values[5] = {load, s_.displacement, s_.displacement / diameter_,
+                              load > 0 ? (above - below) / load : 0.0, unbalanced_force_ratio(view)};
     recorder.set(stress_, s_.stress);
     for (std::size_t k = 0; k < 5; ++k) recorder.set(column_[k], values[k]);
     if (s_.stress > s_.peak) {
@@ -101,7 +124,9 @@ class Brazilian final : public Protocol {
     return s_.split || s_.displacement >= c_.max_displacement * diameter_ ? Progress::finished : Progress::running;
   }
 
-  double share_done() const override { return s_.split ? 1.0 : std::min(1.0, s_.displacement / (c_.max_displacement * diameter_)); }
+  double share_done() const override {
+    return s_.split ? 1.0 : std::min(1.0, s_.displacement / (c_.max_displacement * diameter_));
+  }
   std::string status() const override {
     char text[64];
     std::snprintf(text, sizeof text, s_.seated ? "tensile stress %.2f MPa" : "seating", s_.stress * 1e-6);
@@ -114,7 +139,9 @@ class Brazilian final : public Protocol {
     summary.own("diameter_m", diameter_);
     summary.own("thickness_m", thickness_);
     summary.own("platen_stiffness_N_m", platens_.stiffness());
-    summary.own("stopped_by", s_.split ? "load drop" : s_.displacement >= c_.max_displacement * diameter_ ? "max_displacement" : "request");
+    summary.own("stopped_by", s_.split                                             ? "load drop"
+                              : s_.displacement >= c_.max_displacement * diameter_ ? "max_displacement"
+                                                                                   : "request");
   }
   std::span<std::byte> state() override { return std::as_writable_bytes(std::span(&s_, 1)); }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Direct tension: the particles near both ends are held by plates that move apart.
-/// Source: Ouyang, Yang & Chen (2017), Appl. Sci. 7(7), 686, section 2.4 (held ends, breakable layer); the ramp, the depth
-/// of the grips and the stop are ours.
+/// Source: Ouyang, Yang & Chen (2017), Appl. Sci. 7(7), 686, section 2.4 (held ends, breakable layer); the ramp, the
+/// depth of the grips and the stop are ours.
 #include "breccia/protocol_tools/axial_test.hpp"
 
 namespace breccia {
@@ -19,33 +19,70 @@ class DirectTension final : public Protocol {
     s.summary("Tension along the axis: particles near both ends move with plates, a middle layer may fail")
         .source("Ouyang et al. (2017), section 2.4")
         .details(
-            "Particles whose centre lies within `grip` of an end face are held in all their motions and move with a plate. The load is "
-            "what they are pulled with: the sum of their resultants, the mean of both ends. Strain is the plates' displacement over the "
-            "free length, which lies between the mean heights of the held particles that are bonded to free ones. Bonds between particles that do not both lie in the middle "
+            "Particles whose centre lies within `grip` of an end face are held in all their motions and move with a "
+            "plate. The load is "
+            "what they are pulled with: the sum of their resultants, the mean of both ends. Strain is the plates' "
+            "displacement over the "
+            "free length, which lies between the mean heights of the held particles that are bonded to free ones. "
+            "Bonds between particles that do not both lie in the middle "
             "`breakable_layer` of the height are neither damaged nor broken.\n\n"
-            "Curves have the signs and names of a compression test, so both come out negative: `platen_stress` (load over the measured "
+            "Curves have the signs and names of a compression test, so both come out negative: `platen_stress` (load "
+            "over the measured "
             "cross-section), `platen_strain`, `platen_imbalance` (difference of the ends' loads over their mean), "
             "`unbalanced_force_ratio` (of the particles that are not held).");
     s.param("axis", &Config::axis)
         .choice("specimen", LoadingAxis::specimen, "the axis of the packing")
-        .choice("x", LoadingAxis::x, "for a box").choice("y", LoadingAxis::y, "for a box").choice("z", LoadingAxis::z, "for a box")
-        .fallback("specimen").doc("direction of the loading");
-    s.param("plate_velocity", &Config::plate_velocity).unit("m/s").above(0).example("0.1 m/s").doc("of each moving plate, away from the other");
+        .choice("x", LoadingAxis::x, "for a box")
+        .choice("y", LoadingAxis::y, "for a box")
+        .choice("z", LoadingAxis::z, "for a box")
+        .fallback("specimen")
+        .doc("direction of the loading");
+    s.param("plate_velocity", &Config::plate_velocity)
+        .unit("m/s")
+        .above(0)
+        .example("0.1 m/s")
+        .doc("of each moving plate, away from the other");
     s.param("moving_plates", &Config::moving)
         .choice("both", MovingPlatens::both, "each at plate_velocity")
         .choice("upper", MovingPlatens::upper, "the lower one stands")
-        .fallback("upper").doc("which plates move");
-    s.param("ramp_time", &Config::ramp_time).unit("s").at_least(0).fallback(20e-6).doc("time in which the plates reach their velocity");
-    s.param("grip", &Config::grip).unit("m").above(0).example("0.9 mm")
+        .fallback("upper")
+        .doc("which plates move");
+    s.param("ramp_time", &Config::ramp_time)
+        .unit("s")
+        .at_least(0)
+        .fallback(20e-6)
+        .doc("time in which the plates reach their velocity");
+    s.param("grip", &Config::grip)
+        .unit("m")
+        .above(0)
+        .example("0.9 mm")
         .doc("depth below an end face down to which centres are held; if absent the largest radius");
-    s.param("breakable_layer", &Config::breakable_layer).above(0).at_most(1).fallback(0.6)
-        .doc("share of the height, about the middle, in which bonds may fail; 1: all may").source("0.6 L");
-    s.param("max_strain", &Config::max_strain).above(0).below(1).fallback(0.02).doc("plate strain at which the test ends at the latest");
-    s.param("stop_stress_ratio", &Config::stop_stress_ratio).at_least(0).below(1).fallback(0.3)
+    s.param("breakable_layer", &Config::breakable_layer)
+        .above(0)
+        .at_most(1)
+        .fallback(0.6)
+        .doc("share of the height, about the middle, in which bonds may fail; 1: all may")
+        .source("0.6 L");
+    s.param("max_strain", &Config::max_strain)
+        .above(0)
+        .below(1)
+        .fallback(0.02)
+        .doc("plate strain at which the test ends at the latest");
+    s.param("stop_stress_ratio", &Config::stop_stress_ratio)
+        .at_least(0)
+        .below(1)
+        .fallback(0.3)
         .doc("the test ends once the stress has fallen to this share of its peak; 0: never for this reason");
-    s.param("time_after_peak", &Config::time_after_peak).unit("s").above(0).example("40 us")
-        .doc("the test goes on at least this long after the peak").source("4000 steps of 10 ns");
-    s.param("failure_stress", &Config::failure_stress).unit("Pa").at_least(0).fallback(0.1e6)
+    s.param("time_after_peak", &Config::time_after_peak)
+        .unit("s")
+        .above(0)
+        .example("40 us")
+        .doc("the test goes on at least this long after the peak")
+        .source("4000 steps of 10 ns");
+    s.param("failure_stress", &Config::failure_stress)
+        .unit("Pa")
+        .at_least(0)
+        .fallback(0.1e6)
         .doc("a stress drop counts as failure only if the peak was above this");
   }
 
@@ -68,15 +105,19 @@ class DirectTension final : public Protocol {
       if (high) upper_.push_back(k);
       held_[k] = low || high;
     }
-    if (lower_.empty() || upper_.empty()) throw UserError("protocol direct_tension: no particle lies within `grip` of an end face; make it larger");
+    if (lower_.empty() || upper_.empty())
+      throw UserError("protocol direct_tension: no particle lies within `grip` of an end face; make it larger");
     free_length_ = free_length(view);
     protect(view, control);
     s_.lower_start = mean_height(p, lower_);
     s_.upper_start = mean_height(p, upper_);
-    stress_ = recorder.add({"platen_stress", "Pa", "mean load of both ends over the cross-section; compression positive"});
-    strain_ = recorder.add({"platen_strain", "1", "displacement of the plates over the free length; compression positive"});
+    stress_ =
+        recorder.add({"platen_stress", "Pa", "mean load of both ends over the cross-section; compression positive"});
+    strain_ =
+        recorder.add({"platen_strain", "1", "displacement of the plates over the free length; compression positive"});
     imbalance_ = recorder.add({"platen_imbalance", "1", "difference of the ends' loads over their mean"});
-    unbalanced_ = recorder.add({"unbalanced_force_ratio", "1", "mean resultant on a particle that is not held over mean contact force"});
+    unbalanced_ = recorder.add(
+        {"unbalanced_force_ratio", "1", "mean resultant on a particle that is not held over mean contact force"});
   }
 
   void step(LoadControl& control) override {
@@ -98,7 +139,9 @@ class DirectTension final : public Protocol {
     s_.marked = true;
     const double below = pull(view, lower_), above = -pull(view, upper_), mean = 0.5 * (below + above);
     const double stress = mean / shape_.cross_section_area;
-    s_.strain = (mean_height(view.particles, upper_) - s_.upper_start - mean_height(view.particles, lower_) + s_.lower_start) / free_length_;
+    s_.strain =
+        (mean_height(view.particles, upper_) - s_.upper_start - mean_height(view.particles, lower_) + s_.lower_start) /
+        free_length_;
     s_.stress = stress;
     recorder.set(stress_, -stress);
     recorder.set(strain_, -s_.strain);
@@ -111,7 +154,8 @@ class DirectTension final : public Protocol {
       s_.time_of_peak = view.time;
       s_.broken_at_peak = broken(view);
     }
-    const bool fallen = c_.stop_stress_ratio > 0 && s_.peak > c_.failure_stress && stress < c_.stop_stress_ratio * s_.peak;
+    const bool fallen =
+        c_.stop_stress_ratio > 0 && s_.peak > c_.failure_stress && stress < c_.stop_stress_ratio * s_.peak;
     s_.failed = fallen && view.time - s_.time_of_peak >= c_.time_after_peak.value_or(0);
     return s_.failed || s_.strain >= c_.max_strain ? Progress::finished : Progress::running;
   }
@@ -146,9 +190,10 @@ class DirectTension final : public Protocol {
 
  private:
   struct Running {
-    double lower_start = 0, upper_start = 0, speed = 0, strain = 0, stress = 0, peak = 0, strain_at_peak = 0, time_of_peak = 0;
+    double lower_start = 0, upper_start = 0, speed = 0, strain = 0, stress = 0, peak = 0, strain_at_peak = 0,
+           time_of_peak = 0;
     std::size_t broken_at_peak = 0;
-    SmoothRamp ramp;   // of the plates' speed
+    SmoothRamp ramp;  // of the plates' speed
     bool begun = false, holding = false, marked = false, failed = false;
   };
 
@@ -156,7 +201,8 @@ class DirectTension final : public Protocol {
     const Vec3 axis = Vec3::Unit(int(c_.axis) - 1);
     if (shape_.outline == SpecimenShape::Outline::cylinder && std::abs(axis.dot(shape_.axis)) < 0.999)
       throw UserError("protocol: a cylinder is loaded along its own axis: leave `axis` out");
-    if (view.dimension == 2 && c_.axis == LoadingAxis::z) throw UserError("protocol: in two dimensions the axis is x or y");
+    if (view.dimension == 2 && c_.axis == LoadingAxis::z)
+      throw UserError("protocol: in two dimensions the axis is x or y");
     return control.set_specimen_axis(axis);
   }
   double height_of(const Vec3& x) const { return (x - shape_.base).dot(shape_.axis); }
@@ -170,7 +216,8 @@ class DirectTension final : public Protocol {
     double height[2] = {0, 0}, count[2] = {0, 0};
     std::vector<std::uint8_t> counted = held_;
     for (Index b = 0; b < view.bonds.size(); ++b)
-      for (const auto& [k, other] : {std::pair(view.bonds.i[b], view.bonds.j[b]), std::pair(view.bonds.j[b], view.bonds.i[b])})
+      for (const auto& [k, other] :
+           {std::pair(view.bonds.i[b], view.bonds.j[b]), std::pair(view.bonds.j[b], view.bonds.i[b])})
         if (counted[k] && !held_[other]) {
           const double at = height_of(view.particles.position[k]);
           const int end = at > 0.5 * shape_.height;
@@ -178,13 +225,16 @@ class DirectTension final : public Protocol {
           ++count[end];
           counted[k] = 0;
         }
-    if (count[0] == 0 || count[1] == 0) throw UserError("protocol direct_tension: no bond joins the particles held at an end to the specimen");
+    if (count[0] == 0 || count[1] == 0)
+      throw UserError("protocol direct_tension: no bond joins the particles held at an end to the specimen");
     return height[1] / count[1] - height[0] / count[0];
   }
   void protect(const SimulationView& view, LoadControl& control) {
     if (c_.breakable_layer >= 1) return;
     const double half = 0.5 * c_.breakable_layer * shape_.height;
-    const auto inside = [&](Index k) { return std::abs(height_of(view.particles.position[k]) - 0.5 * shape_.height) <= half; };
+    const auto inside = [&](Index k) {
+      return std::abs(height_of(view.particles.position[k]) - 0.5 * shape_.height) <= half;
+    };
     for (Index b = 0; b < view.bonds.size(); ++b) {
       if (inside(view.bonds.i[b]) && inside(view.bonds.j[b])) continue;
       control.protect_bond(b);

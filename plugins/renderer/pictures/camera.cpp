@@ -43,7 +43,10 @@ Viewpoint::Viewpoint(const Spheres& spheres, const FrameFacts& facts) : dimensio
     const Vec3 centre = s.base + 0.5 * s.height * s.axis, half = 0.6 * s.extent;
     box_low = centre - half;
     box_high = centre + half;
-    if (dimension_ == 2) { box_low.z() = -far; box_high.z() = far; }
+    if (dimension_ == 2) {
+      box_low.z() = -far;
+      box_high.z() = far;
+    }
   }
   for (const bool all : {false, true}) {
     for (std::size_t p = 0; p < spheres.position.size(); ++p) {
@@ -66,7 +69,8 @@ void Viewpoint::include(const Vec3& x, double radius) {
 bool Viewpoint::frames(const Vec3& x, double radius) const {
   const double tiny = 1e-9 * (high_ - low_).norm();  // the outermost spheres make the frame
   const double across = right_.dot(x), along = up_.dot(x), reach = radius - tiny;
-  return across - reach >= low_.x() && across + reach <= high_.x() && along - reach >= low_.y() && along + reach <= high_.y();
+  return across - reach >= low_.x() && across + reach <= high_.x() && along - reach >= low_.y() &&
+         along + reach <= high_.y();
 }
 
 int Viewpoint::width_for(int height) const {
@@ -105,8 +109,7 @@ void Viewpoint::annotate(Overlay& overlay) const {
   const ShownUnit unit = shown_unit("m", length * 1.0001);
   overlay.scale_text = significant(length * unit.factor, 3) + " " + unit.unit;
   const char* names[] = {"x", "y", "z"};
-  for (int k = 0; k < dimension_; ++k)
-    overlay.directions.emplace_back(Eigen::Vector2d(right_[k], up_[k]), names[k]);
+  for (int k = 0; k < dimension_; ++k) overlay.directions.emplace_back(Eigen::Vector2d(right_[k], up_[k]), names[k]);
 }
 
 }  // namespace breccia::pictures

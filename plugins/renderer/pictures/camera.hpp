@@ -41,8 +41,8 @@ class Viewpoint {
 
   int dimension_;
   Vec3 right_, up_, toward_;
-  Vec3 low_, high_;             // of what is framed, along right, up, toward [m]
-  double nearest_, farthest_;   // of everything, along toward [m]
+  Vec3 low_, high_;            // of what is framed, along right, up, toward [m]
+  double nearest_, farthest_;  // of everything, along toward [m]
   double pixels_per_metre_ = 0;
 };
 

@@ -8,8 +8,8 @@
 
 #include <filesystem>
 
-#include "egl_window.hpp"
 #include "breccia/types.hpp"
+#include "egl_window.hpp"
 
 namespace breccia::pictures {
 
@@ -22,7 +22,7 @@ class Canvas {
 
   vtkRenderer* renderer() { return renderer_; }
   vtkRenderWindow* window() { return window_; }
-  int width() const { return width_; }     ///< of the picture, in pixels
+  int width() const { return width_; }  ///< of the picture, in pixels
   int height() const { return height_; }
 
   /// Draws and writes a PNG file, which appears under its name only when it is whole.

@@ -17,12 +17,23 @@ void draw_marker(Painter& p, Marker marker, const Point& c, double size, const R
     p.polygon(at, colour);
   };
   switch (marker) {
-    case Marker::none: break;
-    case Marker::circle: p.disc(c, r, colour); break;
-    case Marker::square: around({{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}}); break;
-    case Marker::triangle_up: around({{-1.1, -0.8}, {1.1, -0.8}, {0, 1.2}}); break;
-    case Marker::diamond: around({{-1.25, 0}, {0, -1.25}, {1.25, 0}, {0, 1.25}}); break;
-    case Marker::triangle_down: around({{-1.1, 0.8}, {0, -1.2}, {1.1, 0.8}}); break;
+    case Marker::none:
+      break;
+    case Marker::circle:
+      p.disc(c, r, colour);
+      break;
+    case Marker::square:
+      around({{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}});
+      break;
+    case Marker::triangle_up:
+      around({{-1.1, -0.8}, {1.1, -0.8}, {0, 1.2}});
+      break;
+    case Marker::diamond:
+      around({{-1.25, 0}, {0, -1.25}, {1.25, 0}, {0, 1.25}});
+      break;
+    case Marker::triangle_down:
+      around({{-1.1, 0.8}, {0, -1.2}, {1.1, 0.8}});
+      break;
   }
 }
 

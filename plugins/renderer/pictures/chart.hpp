@@ -11,25 +11,25 @@
 namespace breccia::pictures {
 
 struct ChartLine {
-  std::string label;             ///< empty: not in the legend
-  std::vector<double> x, y;      ///< as shown: already in the units of the axes; what is not finite is left out
+  std::string label;         ///< empty: not in the legend
+  std::vector<double> x, y;  ///< as shown: already in the units of the axes; what is not finite is left out
   LineStyle style;
   bool right_axis = false;
-  bool points = false;           ///< markers instead of a line
-  bool every_point = false;      ///< markers at its points, not spaced along it
-  double first_marker = 0;       ///< where the first marker along the line stands, as a share of their distance
+  bool points = false;       ///< markers instead of a line
+  bool every_point = false;  ///< markers at its points, not spaced along it
+  double first_marker = 0;   ///< where the first marker along the line stands, as a share of their distance
 };
 
 struct ChartBar {
-  double from, to, height;       ///< as shown
+  double from, to, height;  ///< as shown
 };
 
 struct Chart {
   std::string x_title, left_title, right_title;  ///< without a right title there is no right axis
   std::vector<ChartLine> lines;
   bool right_from_zero = false;
-  bool equal_scales = false;     ///< circles stay round: the height follows; without a right axis
-  std::vector<ChartBar> bars;    ///< they stand on zero
+  bool equal_scales = false;   ///< circles stay round: the height follows; without a right axis
+  std::vector<ChartBar> bars;  ///< they stand on zero
   std::string bars_label;
 
   std::size_t legend_entries() const {
@@ -51,17 +51,17 @@ struct ChartLegend {
   double left, top;
   std::size_t columns;
   double column_width;
-  bool inside;                        ///< on the rectangle of the axes
+  bool inside;  ///< on the rectangle of the axes
 };
 
 /// Where things stand, in pixels of the finished picture from its lower left corner.
 struct ChartLayout {
   double width, height;
-  double unit;                        ///< a hundredth of the height of the plain chart: all sizes are multiples of it
-  double left, right, bottom, top;    ///< edges of the rectangle of the axes
+  double unit;                      ///< a hundredth of the height of the plain chart: all sizes are multiples of it
+  double left, right, bottom, top;  ///< edges of the rectangle of the axes
   ChartAxis x_axis, left_axis, right_axis;
   ChartLegend legend;
-  Rgb writing;                        ///< colour of text and axes
+  Rgb writing;  ///< colour of text and axes
 
   Point at(const ChartLine& line, std::size_t k) const {
     const ChartAxis& y_axis = line.right_axis ? right_axis : left_axis;

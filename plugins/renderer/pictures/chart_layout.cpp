@@ -123,7 +123,10 @@ ChartLayout layout_of(const Chart& chart, const Sheet& sheet) {
     left.include({0, bar.height}, {0, 0});
   }
   if (x.most < 2) throw UserError("there are fewer than two points to draw");
-  if (chart.right_from_zero) { right.low = 0; right.high = std::max(right.high, 1.0); }
+  if (chart.right_from_zero) {
+    right.low = 0;
+    right.high = std::max(right.high, 1.0);
+  }
   ChartLayout l;
   l.width = sheet.size;  // a chart is wider than high
   l.height = sheet.size * 3 / 4;

@@ -20,7 +20,8 @@ Shared in_one_unit(const std::vector<const Curve*>& curves) {
   for (const Curve* c : curves) {
     if (c->unit != curves[0]->unit)
       throw UserError("column `" + c->name + "` is in " + (c->unit.empty() ? "pure numbers" : c->unit) +
-                      " in one run and in " + (curves[0]->unit.empty() ? "pure numbers" : curves[0]->unit) + " in another");
+                      " in one run and in " + (curves[0]->unit.empty() ? "pure numbers" : curves[0]->unit) +
+                      " in another");
     most = std::max(most, largest(c->value));
   }
   const ShownUnit unit = unit_of_axis(*curves[0], most);
@@ -74,7 +75,9 @@ Chart study_chart(const StudyChart& study) {
     most_x = std::max(most_x, largest(s.x));
     most_y = std::max(most_y, largest(s.y));
   }
-  const auto unit = [](const StudyChart::Axis& axis, double most) { return axis.unit == "1" ? ShownUnit{} : shown_unit(axis.unit, most); };
+  const auto unit = [](const StudyChart::Axis& axis, double most) {
+    return axis.unit == "1" ? ShownUnit{} : shown_unit(axis.unit, most);
+  };
   const ShownUnit across = unit(study.x, most_x), up = unit(study.y, most_y);
   Chart chart;
   chart.x_title = title(study.x.title, across.unit);

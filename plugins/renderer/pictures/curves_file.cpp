@@ -86,7 +86,10 @@ const Curve& CurvesFile::at(const std::string& name) const {
   for (std::size_t c = 0; c < headers_.size(); ++c) {
     all.append(all.empty() ? "" : ", ").append(headers_[c]);
     const std::size_t d = std::min(edits(name, headers_[c]), edits(name, curves_[c].name));
-    if (d <= least) { least = d; nearest = headers_[c]; }
+    if (d <= least) {
+      least = d;
+      nearest = headers_[c];
+    }
   }
   throw UserError(file_.string() + " has no column `" + name + "`; " +
                   (nearest.empty() ? "" : "did you mean `" + nearest + "`? ") + "it has: " + all);

@@ -10,8 +10,8 @@
 namespace breccia::pictures {
 
 struct Curve {
-  std::string name;           ///< without the unit
-  std::string unit;           ///< SI; empty for a pure number
+  std::string name;  ///< without the unit
+  std::string unit;  ///< SI; empty for a pure number
   std::vector<double> value;
 };
 

@@ -3,9 +3,9 @@
 
 #include <dlfcn.h>
 // glew.h must precede any other OpenGL header
-#include <GL/glew.h>
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <GL/glew.h>
 #include <vtkObjectFactory.h>
 
 #include <string>
@@ -15,9 +15,7 @@
 namespace breccia::pictures {
 namespace {
 
-[[noreturn]] void unavailable(const std::string& why) {
-  throw Unavailable("pictures cannot be drawn here: " + why);
-}
+[[noreturn]] void unavailable(const std::string& why) { throw Unavailable("pictures cannot be drawn here: " + why); }
 
 /// The functions of libEGL that are used, found at run time so that a missing library is a message and no failed load.
 struct Egl {
@@ -53,8 +51,9 @@ struct Egl {
   }
 
   EGLContext make_context() const {
-    constexpr EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2,
-                                     EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    constexpr EGLint attributes[] = {
+        EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 2, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     if (!bind_api(EGL_OPENGL_API)) unavailable("EGL offers no desktop OpenGL");
     const EGLContext context = create_context(display, EGLConfig(nullptr), EGL_NO_CONTEXT, attributes);
     if (context == EGL_NO_CONTEXT) unavailable("EGL gives no OpenGL 3.2 core context");

@@ -19,7 +19,7 @@ class EglWindow final : public vtkGenericOpenGLRenderWindow {
   bool IsCurrent() override;
   int SupportsOpenGL() override { return 1; }
   vtkTypeBool IsDirect() override { return 1; }
-  void Frame() override {}     ///< there is no screen to copy to
+  void Frame() override {}  ///< there is no screen to copy to
   void Finalize() override;
   void OpenGLInitContext() override;
 
@@ -28,7 +28,7 @@ class EglWindow final : public vtkGenericOpenGLRenderWindow {
   EglWindow() = default;
   ~EglWindow() override;
 
-  void* context_ = nullptr;    // an EGLContext
+  void* context_ = nullptr;  // an EGLContext
 };
 
 }  // namespace breccia::pictures

@@ -19,8 +19,8 @@ namespace breccia::pictures {
 struct ColourBar {
   vtkSmartPointer<vtkLookupTable> colours;
   std::string title;
-  Ticks ticks;              ///< in shown units
-  double low = 0, high = 1; ///< in shown units
+  Ticks ticks;               ///< in shown units
+  double low = 0, high = 1;  ///< in shown units
 };
 
 struct LegendEntry {
@@ -34,12 +34,12 @@ class Overlay final : public vtkContextItem {
   vtkTypeMacro(Overlay, vtkContextItem);
   static Overlay* New();
 
-  int width = 0, height = 0;      ///< of the picture
-  double scale = 1;               ///< drawn pixels per pixel of the picture
-  Rgb colour = ink;               ///< of text and lines
+  int width = 0, height = 0;  ///< of the picture
+  double scale = 1;           ///< drawn pixels per pixel of the picture
+  Rgb colour = ink;           ///< of text and lines
   std::optional<ColourBar> bar;
   std::vector<LegendEntry> legend;
-  double scale_bar = 0;           ///< length in pixels; 0: none
+  double scale_bar = 0;  ///< length in pixels; 0: none
   std::string scale_text;
   std::vector<std::pair<Eigen::Vector2d, std::string>>
       directions;  ///< unit vectors seen by the camera, with their names

@@ -37,9 +37,9 @@ class Painter {
 };
 
 struct Page {
-  int width, height;        ///< [pixels]
+  int width, height;  ///< [pixels]
   Vec3 background;
-  std::string title;        ///< of the .svg, for those who cannot see it
+  std::string title;  ///< of the .svg, for those who cannot see it
 };
 
 using Draw = std::function<void(Painter&)>;

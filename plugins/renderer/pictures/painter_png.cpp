@@ -22,8 +22,8 @@ constexpr double scale = Canvas::oversampling;
 std::vector<std::vector<Point>> pieces(const std::vector<Point>& points, const std::vector<double>& dashes) {
   if (dashes.empty()) return {points};
   std::vector<std::vector<Point>> all{{points.front()}};
-  std::size_t k = 0;         // even: a line, odd: a gap
-  double left = dashes[0];   // of the present one
+  std::size_t k = 0;        // even: a line, odd: a gap
+  double left = dashes[0];  // of the present one
   for (std::size_t p = 1; p < points.size(); ++p) {
     Point from = points[p - 1];
     for (double length = (points[p] - from).norm(); length > left; length -= left, left = dashes[k]) {

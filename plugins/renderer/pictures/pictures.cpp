@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Pictures of a finished run, drawn from its files on any machine: no display, no graphics card.
-#include "breccia/renderer.hpp"
-
 #include <algorithm>
 
+#include "breccia/renderer.hpp"
 #include "chart_pictures.hpp"
 #include "comparison.hpp"
 #include "scene_pictures.hpp"
@@ -33,7 +32,8 @@ struct PictureConfig {
         .choice("displacement", Motif::displacement, "the particles, coloured by the magnitude of their displacement")
         .choice("stress_strain", Motif::stress_strain, "axial stress and damage against axial strain, .png and .svg")
         .choice("strains", Motif::strains, "lateral and volumetric strain against axial strain, .png and .svg")
-        .choice("tables", Motif::tables, "histograms, roses and profiles of the run's tables, if any: <table>.png and .svg each")
+        .choice("tables", Motif::tables,
+                "histograms, roses and profiles of the run's tables, if any: <table>.png and .svg each")
         .doc("what the picture shows");
     s.param("name", &PictureConfig::name)
         .example("inside")
@@ -57,8 +57,10 @@ struct PictureConfig {
     s.param("high", &PictureConfig::high).doc("value at the upper end of the colour bar, in the SI unit of the field");
     s.param("frame", &PictureConfig::frame).at_least(0).doc("which frame, counted from 0; the last if absent");
     s.param("cut", &PictureConfig::cut)
-        .choice("quarter", Cut::quarter, "a quarter").choice("half", Cut::half, "the front half")
-        .fallback("quarter").doc("what a cutaway takes away");
+        .choice("quarter", Cut::quarter, "a quarter")
+        .choice("half", Cut::half, "the front half")
+        .fallback("quarter")
+        .doc("what a cutaway takes away");
   }
 };
 
@@ -89,9 +91,15 @@ class Pictures final : public Renderer {
          {"specimen", "cutaway", "cracks", "cracks_time", "displacement", "stress_strain", "strains", "tables"})
       all.push_back({{"show", motif}, {"colour_map", "automatic"}, {"cut", "quarter"}});
     s.param("pictures", &Config::pictures).items(1, 1000).fallback(all).doc("what to draw; one of each kind if absent");
-    s.param("size", &Config::size).at_least(200).at_most(8000).fallback(1600)
+    s.param("size", &Config::size)
+        .at_least(200)
+        .at_most(8000)
+        .fallback(1600)
         .doc("pixels: height of a picture of the specimen, width of a chart");
-    s.param("background", &Config::background).at_least(0).at_most(1).fallback({1, 1, 1})
+    s.param("background", &Config::background)
+        .at_least(0)
+        .at_most(1)
+        .fallback({1, 1, 1})
         .doc("red, green and blue of the background");
     s.param("columns", &Config::columns)
         .fallback({{"strain", "axial_strain"},
@@ -99,20 +107,28 @@ class Pictures final : public Renderer {
                    {"damage", "global_damage"},
                    {"lateral_strain", "lateral_strain"}})
         .doc("columns of curves.csv, by header (`axial_stress_Pa`) or by name without the unit");
-    s.param("comparisons", &Config::comparisons).items(1, 1000)
-        .doc("what `breccia compare` draws of several runs; if absent `stress_strain`, `broken_tension`, `broken_shear` and "
-             "`global_damage` over the axial strain, as far as the runs have these columns");
-    s.param("strength_envelope", &Config::strength_envelope).fallback(true)
-        .doc("`breccia compare` of tests at different confining pressures also draws their Mohr circles at failure and the Mohr-Coulomb line");
+    s.param("comparisons", &Config::comparisons)
+        .items(1, 1000)
+        .doc(
+            "what `breccia compare` draws of several runs; if absent `stress_strain`, `broken_tension`, `broken_shear` "
+            "and "
+            "`global_damage` over the axial strain, as far as the runs have these columns");
+    s.param("strength_envelope", &Config::strength_envelope)
+        .fallback(true)
+        .doc(
+            "`breccia compare` of tests at different confining pressures also draws their Mohr circles at failure and "
+            "the Mohr-Coulomb line");
     s.check([](const Config& c, Issues& issues) {
       std::vector<std::string> pictures, comparisons;
       for (const PictureConfig& p : c.pictures) pictures.push_back(file_name(p));
-      for (const Comparison& k : c.comparisons.value_or(std::vector<Comparison>{})) comparisons.push_back(k.file_name());
+      for (const Comparison& k : c.comparisons.value_or(std::vector<Comparison>{}))
+        comparisons.push_back(k.file_name());
       check_names("pictures", pictures, issues);
       check_names("comparisons", comparisons, issues);
       for (std::size_t k = 0; k < comparisons.size(); ++k)
         if (c.strength_envelope && comparisons[k] == "strength_envelope")
-          issues.push_back({"comparisons[" + std::to_string(k) + "]", "`strength_envelope` is drawn, too: choose another `name`"});
+          issues.push_back(
+              {"comparisons[" + std::to_string(k) + "]", "`strength_envelope` is drawn, too: choose another `name`"});
     });
   }
 
@@ -168,7 +184,8 @@ class Pictures final : public Renderer {
                   "` or `" + c.y + "`");
     }
     if (config_.strength_envelope)
-      if (auto envelope = strength_envelope_chart(request.runs)) charts.emplace_back("strength_envelope", std::move(*envelope));
+      if (auto envelope = strength_envelope_chart(request.runs))
+        charts.emplace_back("strength_envelope", std::move(*envelope));
     std::vector<fs::path> made;
     for (const auto& [name, chart] : charts) {
       if (host.cancelled()) throw Cancelled();
@@ -199,7 +216,7 @@ class Pictures final : public Renderer {
   }
 
   static std::string file_name(const PictureConfig& p) {
-    constexpr const char* names[] = {"specimen",     "cutaway",       "cracks", "cracks_time",
+    constexpr const char* names[] = {"specimen",     "cutaway",       "cracks",  "cracks_time",
                                      "displacement", "stress_strain", "strains", "tables"};
     return p.name.value_or(names[int(p.show)]);
   }
@@ -240,7 +257,8 @@ class Pictures final : public Renderer {
         write_chart(chart, sheet, directory / file_name(p), made);
         return;
       }
-      case Motif::tables: return draw_tables(results.tables, directory, made);
+      case Motif::tables:
+        return draw_tables(results.tables, directory, made);
     }
     made.push_back(png);
   }
@@ -258,9 +276,7 @@ class Pictures final : public Renderer {
         if (is_rose(table)) write_rose(rose_of(table, name), sheet, directory / name, made);
         else if (is_histogram(table)) write_chart(histogram_chart(table, name), sheet, directory / name, made);
         else if (is_profile(table)) write_chart(profile_chart(table, name), sheet, directory / name, made);
-      } catch (const UserError& e) {
-        problems.append(problems.empty() ? "" : "; ").append(name + ": " + e.what());
-      }
+      } catch (const UserError& e) { problems.append(problems.empty() ? "" : "; ").append(name + ": " + e.what()); }
     }
     if (!problems.empty()) throw UserError(problems);
   }

@@ -18,7 +18,7 @@ namespace breccia::pictures {
 struct Results {
   std::vector<std::filesystem::path> particle_frames, bond_frames;
   std::filesystem::path curves;
-  std::vector<std::filesystem::path> tables;   ///< by name
+  std::vector<std::filesystem::path> tables;  ///< by name
 };
 
 /// `source` is a result folder, or one .pvd or .vtp file of particles or bonds. UserError when it is none of these.

@@ -21,8 +21,8 @@ void add_occlusion(vtkRenderer* renderer, const Spheres& spheres);
 
 /// A broken bond as a disc across it (a short bar in two dimensions).
 struct Crack {
-  Vec3 position, normal;   // [m], unit vector
-  double radius = 0;       // [m]
+  Vec3 position, normal;  // [m], unit vector
+  double radius = 0;      // [m]
   Rgb colour{};
 };
 void add_cracks(vtkRenderer* renderer, const std::vector<Crack>& cracks, int dimension);

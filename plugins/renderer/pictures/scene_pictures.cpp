@@ -31,7 +31,10 @@ std::pair<double, double> range_of(std::vector<double> v) {
   std::sort(v.begin(), v.end());
   double low = v.front(), high = v.back();
   const double middle_low = v[v.size() / 200], middle_high = v[v.size() - 1 - v.size() / 200];
-  if (high - low > 2 * (middle_high - middle_low) && middle_high > middle_low) { low = middle_low; high = middle_high; }
+  if (high - low > 2 * (middle_high - middle_low) && middle_high > middle_low) {
+    low = middle_low;
+    high = middle_high;
+  }
   if (!(high > low)) high = low + (low != 0 ? std::abs(low) : 1);
   return {low, high};
 }
@@ -45,10 +48,15 @@ Scale scale_of(const Values& v, const SpecimenPicture& picture) {
   auto [low, high] = range_of(v.value);
   const bool share =
       v.name.find("damage") != std::string::npos && (v.unit.empty() || v.unit == "1") && low >= 0 && high <= 1;
-  if (share) { low = 0; high = 1; }
+  if (share) {
+    low = 0;
+    high = 1;
+  }
   const bool is_signed = low < 0 && high > 0 && !share;
-  if (is_signed) { high = std::max(-low, high); low = -high; }
-  else if (low > 0 && low < 0.3 * high) low = 0;
+  if (is_signed) {
+    high = std::max(-low, high);
+    low = -high;
+  } else if (low > 0 && low < 0.3 * high) low = 0;
   ColourMap map = picture.colours;
   if (map == ColourMap::automatic)
     map = share ? ColourMap::orange_red : is_signed ? ColourMap::blue_red : ColourMap::viridis;
@@ -92,7 +100,8 @@ void finish(Canvas& canvas, Viewpoint& view, vtkSmartPointer<Overlay> overlay, c
 }
 
 /// Keeps the spheres for which `shown(centre, radius)` holds, with their values.
-template <class F> void keep(Spheres& spheres, std::vector<double>& value, F&& shown) {
+template <class F>
+void keep(Spheres& spheres, std::vector<double>& value, F&& shown) {
   std::size_t kept = 0;
   for (std::size_t p = 0; p < value.size(); ++p) {
     if (!shown(spheres.position[p], spheres.radius[p])) continue;
@@ -112,7 +121,10 @@ void cut_open(Spheres& spheres, std::vector<double>& value, Cut cut, const Viewp
     centre = facts.specimen->base + 0.5 * facts.specimen->height * facts.specimen->axis;
   } else {
     Vec3 low = spheres.position[0], high = low;
-    for (const Vec3& x : spheres.position) { low = low.cwiseMin(x); high = high.cwiseMax(x); }
+    for (const Vec3& x : spheres.position) {
+      low = low.cwiseMin(x);
+      high = high.cwiseMax(x);
+    }
     centre = 0.5 * (low + high);
   }
   Vec3 front = view.toward_reader();

@@ -13,15 +13,15 @@ namespace breccia::pictures {
 enum class Cut { none, quarter, half };
 
 struct Sheet {
-  int size = 1600;                      ///< height [pixels]
+  int size = 1600;  ///< height [pixels]
   Vec3 background = Vec3::Ones();
 };
 
 struct SpecimenPicture {
-  std::string field;                    ///< empty: `damage` if there is one, else the displacement
+  std::string field;  ///< empty: `damage` if there is one, else the displacement
   ColourMap colours = ColourMap::automatic;
-  std::optional<double> low, high;      ///< of the colour bar, in the SI unit of the field
-  Cut cut = Cut::none;                  ///< what is taken away on the reader's side
+  std::optional<double> low, high;  ///< of the colour bar, in the SI unit of the field
+  Cut cut = Cut::none;              ///< what is taken away on the reader's side
 };
 void draw_specimen(vtkPolyData* particles, const SpecimenPicture& picture, const Sheet& sheet,
                    const std::filesystem::path& file);

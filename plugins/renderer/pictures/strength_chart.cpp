@@ -38,9 +38,17 @@ std::optional<Chart> strength_envelope_chart(const std::vector<ComparisonRequest
   double farthest = 0;  // where the line touches the last circle
   const double sine = std::sin(line->friction_angle()), tangent = std::tan(line->friction_angle());
   for (std::size_t k = 0; k < tests.size(); ++k) {
-    const double middle = 0.5 * (tests[k].sigma_3 + tests[k].sigma_1), radius = 0.5 * (tests[k].sigma_1 - tests[k].sigma_3);
+    const double middle = 0.5 * (tests[k].sigma_3 + tests[k].sigma_1),
+                 radius = 0.5 * (tests[k].sigma_1 - tests[k].sigma_3);
     farthest = std::max(farthest, middle);
-    ChartLine circle{runs[which[k]].label, {}, {}, series_style(which[k]), false, false, false, double(k + 1) / double(tests.size())};
+    ChartLine circle{runs[which[k]].label,
+                     {},
+                     {},
+                     series_style(which[k]),
+                     false,
+                     false,
+                     false,
+                     double(k + 1) / double(tests.size())};
     for (int step = 0; step <= 90; ++step) {
       const double turn = std::numbers::pi * step / 90;
       circle.x.push_back((middle - radius * std::cos(turn)) * unit.factor);
@@ -53,9 +61,11 @@ std::optional<Chart> strength_envelope_chart(const std::vector<ComparisonRequest
   for (const PrincipalStresses& t : tests) low = std::min(low, t.sigma_3);
   if (sine > 0) low = std::max(low, -line->cohesion() / tangent);
   const auto height = [&](double at) { return (line->cohesion() + tangent * at) * unit.factor; };
-  chart.lines.push_back({"c = " + significant(line->cohesion() * unit.factor, 3) + " " + unit.unit + ", φ = " +
-                             significant(line->friction_angle() * 180 / std::numbers::pi, 3) + "°",
-                         {low * unit.factor, farthest * unit.factor}, {height(low), height(farthest)}, {ink}});
+  chart.lines.push_back({"c = " + significant(line->cohesion() * unit.factor, 3) + " " + unit.unit +
+                             ", φ = " + significant(line->friction_angle() * 180 / std::numbers::pi, 3) + "°",
+                         {low * unit.factor, farthest * unit.factor},
+                         {height(low), height(farthest)},
+                         {ink}});
   return chart;
 }
 

@@ -14,26 +14,32 @@ namespace {
 
 // Anchor colours, evenly spaced. viridis, inferno (Smith and van der Walt), cividis (Nunez et al. 2018), OrRd and RdBu
 // (Brewer): perceptually ordered, readable without red-green sight.
-constexpr Rgb viridis[] = {{68, 1, 84}, {71, 45, 123}, {59, 82, 139}, {44, 114, 142}, {33, 145, 140},
+constexpr Rgb viridis[] = {{68, 1, 84},    {71, 45, 123}, {59, 82, 139},  {44, 114, 142}, {33, 145, 140},
                            {40, 174, 128}, {94, 201, 98}, {173, 220, 48}, {253, 231, 37}};
-constexpr Rgb cividis[] = {{0, 34, 78}, {18, 53, 112}, {59, 73, 108}, {87, 93, 109}, {112, 113, 115},
+constexpr Rgb cividis[] = {{0, 34, 78},     {18, 53, 112},   {59, 73, 108},   {87, 93, 109},  {112, 113, 115},
                            {138, 134, 120}, {165, 156, 116}, {195, 179, 105}, {225, 204, 85}, {254, 232, 56}};
-constexpr Rgb inferno[] = {{0, 0, 4}, {27, 12, 65}, {74, 12, 107}, {120, 28, 109}, {165, 44, 96},
+constexpr Rgb inferno[] = {{0, 0, 4},     {27, 12, 65},   {74, 12, 107}, {120, 28, 109}, {165, 44, 96},
                            {207, 68, 70}, {237, 105, 37}, {251, 155, 6}, {247, 209, 61}, {252, 255, 164}};
 constexpr Rgb orange_red[] = {{240, 234, 224}, {254, 232, 200}, {253, 212, 158}, {253, 187, 132}, {252, 141, 89},
-                              {239, 101, 72}, {215, 48, 31}, {179, 0, 0}, {127, 0, 0}};
-constexpr Rgb blue_red[] = {{33, 102, 172}, {67, 147, 195}, {146, 197, 222}, {209, 229, 240}, {247, 247, 247},
-                            {253, 219, 199}, {244, 165, 130}, {214, 96, 77}, {178, 24, 43}};
+                              {239, 101, 72},  {215, 48, 31},   {179, 0, 0},     {127, 0, 0}};
+constexpr Rgb blue_red[] = {{33, 102, 172},  {67, 147, 195},  {146, 197, 222}, {209, 229, 240}, {247, 247, 247},
+                            {253, 219, 199}, {244, 165, 130}, {214, 96, 77},   {178, 24, 43}};
 constexpr Rgb grey[] = {{240, 240, 240}, {60, 60, 60}};
 
 std::span<const Rgb> anchors(ColourMap map) {
   switch (map) {
-    case ColourMap::cividis: return cividis;
-    case ColourMap::inferno: return inferno;
-    case ColourMap::orange_red: return orange_red;
-    case ColourMap::blue_red: return blue_red;
-    case ColourMap::grey: return grey;
-    default: return viridis;
+    case ColourMap::cividis:
+      return cividis;
+    case ColourMap::inferno:
+      return inferno;
+    case ColourMap::orange_red:
+      return orange_red;
+    case ColourMap::blue_red:
+      return blue_red;
+    case ColourMap::grey:
+      return grey;
+    default:
+      return viridis;
   }
 }
 
@@ -68,8 +74,8 @@ LineStyle series_style(std::size_t k) {
   // Okabe and Ito without yellow, which is too pale for a line on white.
   static constexpr Rgb colours[] = {blue, vermillion, green, {204, 121, 167}, {230, 159, 0}, {86, 180, 233}, ink};
   static const std::vector<double> dashes[] = {{}, {2.4, 1.0}, {0.6, 0.8}, {2.4, 0.8, 0.6, 0.8}, {4.5, 1.2}};
-  static constexpr Marker markers[] = {Marker::circle, Marker::square, Marker::triangle_up, Marker::diamond,
-                                       Marker::triangle_down, Marker::none};
+  static constexpr Marker markers[] = {Marker::circle,  Marker::square,        Marker::triangle_up,
+                                       Marker::diamond, Marker::triangle_down, Marker::none};
   return {colours[k % 7], 0.45, dashes[k % 5], markers[k % 6]};
 }
 
@@ -128,7 +134,10 @@ Ticks nice_ticks(double low, double high, int count) {
   const double raw = (high - low) / std::max(count, 1), power = std::pow(10.0, std::floor(std::log10(raw)));
   double step = 10 * power;
   for (const double s : {1.0, 2.0, 5.0})
-    if (s * power >= raw * 0.999) { step = s * power; break; }
+    if (s * power >= raw * 0.999) {
+      step = s * power;
+      break;
+    }
   return ticks_at(low, high, step);
 }
 

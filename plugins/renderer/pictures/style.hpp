@@ -30,7 +30,7 @@ struct LineStyle {
   static constexpr double full = 0.55, thin = 0.4;
   Rgb colour = ink;
   double width = full;
-  std::vector<double> dashes = {};   ///< lengths of line and gap in turn; empty: a full line
+  std::vector<double> dashes = {};  ///< lengths of line and gap in turn; empty: a full line
   Marker marker = Marker::none;
 };
 LineStyle dashed(const Rgb& colour);
@@ -52,8 +52,8 @@ vtkSmartPointer<vtkLookupTable> lookup_table(ColourMap map, double low, double h
 /// DejaVu Sans, which has Greek letters; VTK's own sans serif when it is not installed.
 void set_type(vtkTextProperty* text, int size, const Rgb& colour, bool bold = false);
 
-/// The factor and the unit with the prefix that bring numbers up to `largest` into 1 to 1000; for areas and volumes, the
-/// side of a square or cube of that size.
+/// The factor and the unit with the prefix that bring numbers up to `largest` into 1 to 1000; for areas and volumes,
+/// the side of a square or cube of that size.
 struct ShownUnit {
   double factor = 1;
   std::string unit;  ///< empty for a pure number

@@ -70,7 +70,9 @@ Chart histogram_chart(const CurvesFile& table, const std::string& name) {
 
 bool is_profile(const CurvesFile& table) {
   const auto& c = table.all();
-  const auto is = [](const std::string& name, const std::string& what) { return name == what || name.ends_with("_" + what); };
+  const auto is = [](const std::string& name, const std::string& what) {
+    return name == what || name.ends_with("_" + what);
+  };
   return c.size() > 2 && is(c[0].name, "from") && is(c[1].name, "to") && !is_histogram(table) && !is_rose(table);
 }
 
@@ -85,7 +87,8 @@ Chart profile_chart(const CurvesFile& table, const std::string& name) {
   Chart chart;
   chart.x_title = title(quantity == "from" ? without("profile_", name) : quantity, across.unit);
   std::vector<double> middle;
-  for (std::size_t k = 0; k < from.value.size(); ++k) middle.push_back(0.5 * (from.value[k] + to.value[k]) * across.factor);
+  for (std::size_t k = 0; k < from.value.size(); ++k)
+    middle.push_back(0.5 * (from.value[k] + to.value[k]) * across.factor);
   double most = 0;
   std::vector<const Curve*> lines;
   for (std::size_t k = 2; k < columns.size(); ++k)
@@ -97,7 +100,8 @@ Chart profile_chart(const CurvesFile& table, const std::string& name) {
   chart.left_title = title(family, up.unit);
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const std::string label = title(lines[k]->name == family ? family : lines[k]->name.substr(family.size() + 1), "");
-    chart.lines.push_back({label, middle, scaled(lines[k]->value, up.factor), series_style(k), false, false, double(k + 1) / double(lines.size())});
+    chart.lines.push_back({label, middle, scaled(lines[k]->value, up.factor), series_style(k), false, false,
+                           double(k + 1) / double(lines.size())});
   }
   return chart;
 }

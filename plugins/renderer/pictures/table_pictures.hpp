@@ -15,16 +15,16 @@ Chart histogram_chart(const CurvesFile& table, const std::string& name);
 /// A table that begins with `angle_from_rad`, `angle_to_rad` and has `count` and `fraction`.
 bool is_rose(const CurvesFile& table);
 
-/// Another table that begins with an interval, `from` and `to` or names that end in these: a line chart over the middles of
-/// the intervals of those columns whose names begin as the last one's does, up to its first underscore.
+/// Another table that begins with an interval, `from` and `to` or names that end in these: a line chart over the
+/// middles of the intervals of those columns whose names begin as the last one's does, up to its first underscore.
 bool is_profile(const CurvesFile& table);
 Chart profile_chart(const CurvesFile& table, const std::string& name);
 
 /// A histogram in polar coordinates: a sector for each interval of angles, its radius the fraction.
 struct Rose {
-  std::string title, axis_0, axis_90;   ///< names of the directions at 0° and 90°; empty: none
+  std::string title, axis_0, axis_90;  ///< names of the directions at 0° and 90°; empty: none
   struct Sector {
-    double from, to, percent;           ///< [rad], counted from the right to the left
+    double from, to, percent;  ///< [rad], counted from the right to the left
   };
   std::vector<Sector> sectors;
 };

@@ -17,8 +17,8 @@ namespace breccia {
 
 /// One wall as a sphere sees it.
 struct WallDistance {
-  double distance;   ///< of the centre [m]
-  Vec3 inward;       ///< unit normal toward the inside: the gradient of the distance
+  double distance;  ///< of the centre [m]
+  Vec3 inward;      ///< unit normal toward the inside: the gradient of the distance
 };
 
 class Container {
@@ -45,9 +45,12 @@ class Container {
   double measure() const {
     const double bounding = dimension_ == 2 ? size_.x() * size_.y() : size_.prod();
     switch (shape_) {
-      case Shape::cylinder: return std::numbers::pi / 4 * bounding;
-      case Shape::sphere: return std::numbers::pi / (dimension_ == 2 ? 4 : 6) * bounding;
-      default: return bounding;
+      case Shape::cylinder:
+        return std::numbers::pi / 4 * bounding;
+      case Shape::sphere:
+        return std::numbers::pi / (dimension_ == 2 ? 4 : 6) * bounding;
+      default:
+        return bounding;
     }
   }
 
@@ -58,9 +61,12 @@ class Container {
 
   SpecimenShape::Outline outline() const {
     switch (shape_) {
-      case Shape::cylinder: return SpecimenShape::Outline::cylinder;
-      case Shape::sphere: return SpecimenShape::Outline::ellipsoid;
-      default: return SpecimenShape::Outline::box;
+      case Shape::cylinder:
+        return SpecimenShape::Outline::cylinder;
+      case Shape::sphere:
+        return SpecimenShape::Outline::ellipsoid;
+      default:
+        return SpecimenShape::Outline::box;
     }
   }
 
@@ -144,9 +150,7 @@ class Container {
 
   bool has_flat_ends() const { return dimension_ == 3 && shape_ != Shape::sphere; }
   double low_y() const { return dimension_ == 2 ? 0.0 : -0.5 * size_.y(); }
-  Vec3 round_centre() const {
-    return dimension_ == 2 ? Vec3(0, 0.5 * size_.y(), 0) : Vec3(0, 0, 0.5 * size_.z());
-  }
+  Vec3 round_centre() const { return dimension_ == 2 ? Vec3(0, 0.5 * size_.y(), 0) : Vec3(0, 0, 0.5 * size_.z()); }
   /// From the centre of a sphere or disc, or from the axis of a cylinder.
   Vec3 from_round_centre(const Vec3& x) const {
     return shape_ == Shape::cylinder ? Vec3(x.x(), x.y(), 0) : Vec3(x - round_centre());
@@ -167,18 +171,26 @@ class Container {
 /// What a workflow says of a container.
 struct ContainerConfig {
   Container::Shape shape = Container::Shape::cylinder;
-  std::optional<double> diameter, height;    // [m]
-  std::optional<std::vector<double>> size;   // [m]
+  std::optional<double> diameter, height;   // [m]
+  std::optional<std::vector<double>> size;  // [m]
 
   static void describe(Schema<ContainerConfig>& s) {
     s.param("shape", &ContainerConfig::shape)
         .choice("cylinder", Container::Shape::cylinder, "axis z, centre of the base at the origin")
         .choice("box", Container::Shape::box, "x and y centred, z from 0; in two dimensions x centred, y from 0")
-        .choice("sphere", Container::Shape::sphere, "x and y centred, z from 0; in two dimensions a disc: x centred, y from 0")
+        .choice("sphere", Container::Shape::sphere,
+                "x and y centred, z from 0; in two dimensions a disc: x centred, y from 0")
         .doc("what the particles fill");
-    s.param("diameter", &ContainerConfig::diameter).unit("m").above(0).example("23 mm").doc("of the cylinder or sphere");
+    s.param("diameter", &ContainerConfig::diameter)
+        .unit("m")
+        .above(0)
+        .example("23 mm")
+        .doc("of the cylinder or sphere");
     s.param("height", &ContainerConfig::height).unit("m").above(0).example("46 mm").doc("of the cylinder");
-    s.param("size", &ContainerConfig::size).unit("m").items(2, 3).example("[50 mm, 50 mm, 100 mm]")
+    s.param("size", &ContainerConfig::size)
+        .unit("m")
+        .items(2, 3)
+        .example("[50 mm, 50 mm, 100 mm]")
         .doc("of the box along x, y, z; the third is not needed in two dimensions");
   }
 

@@ -23,16 +23,12 @@ inline void check_fit(const std::optional<ContainerConfig>& container, const Rad
   std::optional<Container> box;
   try {
     if (container) box = container->make();
-  } catch (const UserError& e) {
-    issues.push_back({"container", e.what()});
-  }
+  } catch (const UserError& e) { issues.push_back({"container", e.what()}); }
   try {
     const RadiusLaw law = radius.law();
     if (box && law.max > box->largest_radius())
       issues.push_back({"radius", "the largest radius does not fit into the container"});
-  } catch (const UserError& e) {
-    issues.push_back({"radius", e.what()});
-  }
+  } catch (const UserError& e) { issues.push_back({"radius", e.what()}); }
 }
 
 }  // namespace breccia

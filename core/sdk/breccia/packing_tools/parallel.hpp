@@ -9,13 +9,15 @@
 namespace breccia {
 
 /// f(k) for k = 0..n-1, each writing only what is its own.
-template <class F> void for_all(std::size_t n, int threads, F&& f) {
+template <class F>
+void for_all(std::size_t n, int threads, F&& f) {
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::size_t k = 0; k < n; ++k) f(k);
 }
 
 /// Sum of f(k): chunks of fixed length are summed apart, then in order.
-template <class F> double ordered_sum(std::size_t n, int threads, F&& f) {
+template <class F>
+double ordered_sum(std::size_t n, int threads, F&& f) {
   constexpr std::size_t chunk = 256;
   const std::size_t chunks = (n + chunk - 1) / chunk;
   std::vector<double> part(chunks);

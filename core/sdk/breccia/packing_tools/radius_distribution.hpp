@@ -16,7 +16,11 @@ namespace breccia {
 struct SieveRow {
   double size = 0, passing = 0;  // [m], [1]
   static void describe(Schema<SieveRow>& s) {
-    s.param("size", &SieveRow::size).unit("m").above(0).example("2 mm").doc("width of the mesh: diameter of the largest particle that passes");
+    s.param("size", &SieveRow::size)
+        .unit("m")
+        .above(0)
+        .example("2 mm")
+        .doc("width of the mesh: diameter of the largest particle that passes");
     s.param("passing", &SieveRow::passing).at_least(0).at_most(1).example("45 %").doc("share of the mass that passes");
   }
 };
@@ -38,20 +42,37 @@ struct RadiusConfig {
         .choice("sieves", Distribution::sieves, "a grading curve by mass, linear in the size between two sieves")
         .doc("of the number of particles over their radius")
         .fallback("normal");
-    s.param("mean", &RadiusConfig::mean).unit("m").above(0).example("0.676 mm")
+    s.param("mean", &RadiusConfig::mean)
+        .unit("m")
+        .above(0)
+        .example("0.676 mm")
         .doc("mean radius, of the distribution as cut");
-    s.param("standard_deviation", &RadiusConfig::standard_deviation).unit("m").at_least(0).example("0.135 mm")
+    s.param("standard_deviation", &RadiusConfig::standard_deviation)
+        .unit("m")
+        .at_least(0)
+        .example("0.135 mm")
         .doc("of the radius, of the distribution as cut");
-    s.param("skewness", &RadiusConfig::skewness).example("0.22")
+    s.param("skewness", &RadiusConfig::skewness)
+        .example("0.22")
         .doc("third central moment over the cube of the standard deviation; for `moments`");
-    s.param("kurtosis", &RadiusConfig::kurtosis).above(-2).example("-0.06")
-        .doc("excess: fourth central moment over the fourth power of the standard deviation, less 3; for `moments`, "
-             "together with skewness");
-    s.param("min", &RadiusConfig::min).unit("m").above(0).example("0.312 mm")
+    s.param("kurtosis", &RadiusConfig::kurtosis)
+        .above(-2)
+        .example("-0.06")
+        .doc(
+            "excess: fourth central moment over the fourth power of the standard deviation, less 3; for `moments`, "
+            "together with skewness");
+    s.param("min", &RadiusConfig::min)
+        .unit("m")
+        .above(0)
+        .example("0.312 mm")
         .doc("smallest radius; by default three standard deviations below the mean, or a tenth of the mean if larger");
-    s.param("max", &RadiusConfig::max).unit("m").above(0).example("1.186 mm")
+    s.param("max", &RadiusConfig::max)
+        .unit("m")
+        .above(0)
+        .example("1.186 mm")
         .doc("largest radius; by default four standard deviations above the mean");
-    s.param("sieves", &RadiusConfig::sieves).items(2, 100)
+    s.param("sieves", &RadiusConfig::sieves)
+        .items(2, 100)
         .example("[{size: 0.5 mm, passing: 0 %}, {size: 1 mm, passing: 40 %}, {size: 2 mm, passing: 100 %}]")
         .doc("for `sieves`: the grading curve from 0 to 100 % passing; sizes are diameters");
   }
@@ -80,8 +101,9 @@ struct RadiusConfig {
     law.standard_deviation = (law.max - law.min) / std::sqrt(12.0);
     if ((mean && std::abs(*mean / law.mean - 1) > 0.01) ||
         (standard_deviation && std::abs(*standard_deviation - law.standard_deviation) > 0.01 * law.mean))
-      throw UserError("a uniform distribution follows from min and max alone, and the mean or standard_deviation given "
-                      "beside them differs from theirs: leave mean and standard_deviation out");
+      throw UserError(
+          "a uniform distribution follows from min and max alone, and the mean or standard_deviation given "
+          "beside them differs from theirs: leave mean and standard_deviation out");
     return law;
   }
 
@@ -110,7 +132,8 @@ struct RadiusConfig {
     RadiusLaw law;
     law.distribution = Distribution::sieves;
     for (const SieveRow& row : *sieves) {
-      if (!law.grading.empty() && (row.size <= 2 * law.grading.back().radius || row.passing < law.grading.back().passing))
+      if (!law.grading.empty() &&
+          (row.size <= 2 * law.grading.back().radius || row.passing < law.grading.back().passing))
         throw UserError("sieves: sizes must rise from row to row, and passing must not fall");
       law.grading.push_back({0.5 * row.size, row.passing});
     }

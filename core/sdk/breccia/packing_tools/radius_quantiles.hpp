@@ -137,7 +137,9 @@ inline std::vector<double> fitted_quantiles(const RadiusLaw& law, std::size_t n)
       const double next_scale = scale * std::exp(std::clamp(t * db, -1.0, 1.0));
       const Errors next = errors(next_location, next_scale);
       if (!(next.size() < e.size())) continue;
-      location = next_location; scale = next_scale; e = next;
+      location = next_location;
+      scale = next_scale;
+      e = next;
       better = true;
     }
     if (!better) break;
@@ -157,9 +159,11 @@ inline std::vector<double> entropy_quantiles(const RadiusLaw& law, std::size_t n
   const Eigen::Vector4d wanted(mean, s * s + mean * mean, third + 3 * mean * s * s + mean * mean * mean,
                                fourth + 4 * mean * third + 6 * mean * mean * s * s + mean * mean * mean * mean);
   const auto at = [](int k) { return -1 + 2 * (k + 0.5) / cells; };
-  const auto exponent = [&](const Eigen::Vector4d& l, double t) { return t * (l[0] + t * (l[1] + t * (l[2] + t * l[3]))); };
+  const auto exponent = [&](const Eigen::Vector4d& l, double t) {
+    return t * (l[0] + t * (l[1] + t * (l[2] + t * l[3])));
+  };
   struct Point {
-    double value;                  // of the convex function
+    double value;  // of the convex function
     Eigen::Vector4d gradient;
     Eigen::Matrix4d hessian;
   };
@@ -169,7 +173,10 @@ inline std::vector<double> entropy_quantiles(const RadiusLaw& law, std::size_t n
     for (int k = 0; k < cells; ++k) {
       const double t = at(k);
       double power = std::exp(exponent(l, t) - largest);
-      for (double& m : moment) { m += power; power *= t; }
+      for (double& m : moment) {
+        m += power;
+        power *= t;
+      }
     }
     Point p{std::log(moment[0]) + largest - l.dot(wanted), Eigen::Vector4d::Zero(), Eigen::Matrix4d::Identity()};
     for (int a = 0; a < order; ++a) {
@@ -242,7 +249,8 @@ inline std::vector<double> quantile_radii(const RadiusLaw& law, std::size_t n) {
     return r;
   }
   if (law.standard_deviation <= 1e-9 * law.mean) return std::vector<double>(n, law.mean);
-  return law.distribution == Distribution::moments ? detail::entropy_quantiles(law, n) : detail::fitted_quantiles(law, n);
+  return law.distribution == Distribution::moments ? detail::entropy_quantiles(law, n)
+                                                   : detail::fitted_quantiles(law, n);
 }
 
 }  // namespace breccia

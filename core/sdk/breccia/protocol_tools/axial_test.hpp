@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// What laboratory tests along one axis share: two platens, a confinement, stages with a target each, and what is measured.
+/// What laboratory tests along one axis share: two platens, a confinement, stages with a target each, and what is
+/// measured.
 #pragma once
 
 #include <array>
@@ -23,20 +24,37 @@ struct AxialConfig : PlatenConfig {
 };
 
 /// `stop_stress_ratio` is the default of that parameter.
-template <class Config> void describe_axial(Schema<Config>& s, double stop_stress_ratio) {
+template <class Config>
+void describe_axial(Schema<Config>& s, double stop_stress_ratio) {
   describe_platens(s);
   s.param("axis", &Config::axis)
       .choice("specimen", LoadingAxis::specimen, "the axis of the packing")
-      .choice("x", LoadingAxis::x, "for a box").choice("y", LoadingAxis::y, "for a box").choice("z", LoadingAxis::z, "for a box")
-      .fallback("specimen").doc("direction of the loading");
-  s.param("max_strain", &Config::max_strain).above(0).below(1).example("2 %")
+      .choice("x", LoadingAxis::x, "for a box")
+      .choice("y", LoadingAxis::y, "for a box")
+      .choice("z", LoadingAxis::z, "for a box")
+      .fallback("specimen")
+      .doc("direction of the loading");
+  s.param("max_strain", &Config::max_strain)
+      .above(0)
+      .below(1)
+      .example("2 %")
       .doc("platen strain at which the test ends at the latest; 5 % if neither this nor `stages` is given");
-  s.param("stop_stress_ratio", &Config::stop_stress_ratio).at_least(0).below(1).fallback(stop_stress_ratio)
-      .doc("the test ends once the deviatoric platen stress, at a strain not reached before, has fallen to this share of its peak; "
-           "0: never for this reason");
-  s.param("failure_stress", &Config::failure_stress).unit("Pa").at_least(0).fallback(5e6)
+  s.param("stop_stress_ratio", &Config::stop_stress_ratio)
+      .at_least(0)
+      .below(1)
+      .fallback(stop_stress_ratio)
+      .doc(
+          "the test ends once the deviatoric platen stress, at a strain not reached before, has fallen to this share "
+          "of its peak; "
+          "0: never for this reason");
+  s.param("failure_stress", &Config::failure_stress)
+      .unit("Pa")
+      .at_least(0)
+      .fallback(5e6)
       .doc("a stress drop counts as failure only if the peak was above this");
-  s.param("stages", &Config::stages).items(1, 64).example("[{axial_strain: 0.5 %}, {axial_stress: 1 MPa}, {axial_strain: 1 %}]")
+  s.param("stages", &Config::stages)
+      .items(1, 64)
+      .example("[{axial_strain: 0.5 %}, {axial_stress: 1 MPa}, {axial_strain: 1 %}]")
       .doc("targets, one after the other, instead of max_strain: loading, unloading, cycles");
   s.at_most_one_of({"max_strain", "stages"});
 }
@@ -45,7 +63,8 @@ template <class Config> void describe_axial(Schema<Config>& s, double stop_stres
 inline void refuse_confining_stages(const AxialConfig& c, const char* why, Issues& issues) {
   if (!c.stages) return;
   for (std::size_t k = 0; k < c.stages->size(); ++k)
-    if ((*c.stages)[k].confining_pressure) issues.push_back({"stages[" + std::to_string(k) + "].confining_pressure", why});
+    if ((*c.stages)[k].confining_pressure)
+      issues.push_back({"stages[" + std::to_string(k) + "].confining_pressure", why});
 }
 
 /// The protocol of such a test. A derived plugin says how the specimen is confined and when loading starts.
@@ -58,22 +77,29 @@ class AxialTest : public Protocol {
       const Vec3 axis = Vec3::Unit(int(c_.axis) - 1);
       if (shape_.outline == SpecimenShape::Outline::cylinder && std::abs(axis.dot(shape_.axis)) < 0.999)
         throw UserError("protocol: a cylinder is loaded along its own axis: leave `axis` out");
-      if (view.dimension == 2 && c_.axis == LoadingAxis::z) throw UserError("protocol: in two dimensions the axis is x or y");
+      if (view.dimension == 2 && c_.axis == LoadingAxis::z)
+        throw UserError("protocol: in two dimensions the axis is x or y");
       shape_ = control.set_specimen_axis(axis);
     }
     stiffness_ = control.bond_stiffness();
     platens_.setup(control, c_, shape_.base, shape_.base + shape_.height * shape_.axis);
     s_.height = shape_.height;
     confinement_->setup(shape_, view, control, platens_.stiffness());
-    stress_ = recorder.add({"platen_stress", "Pa", "mean of both platens' normal forces over the cross-section; compression positive"});
-    strain_ = recorder.add({"platen_strain", "1", "approach of the platens since seating (or since the end of the first confining stage) over the height then"});
+    stress_ = recorder.add(
+        {"platen_stress", "Pa", "mean of both platens' normal forces over the cross-section; compression positive"});
+    strain_ = recorder.add(
+        {"platen_strain", "1",
+         "approach of the platens since seating (or since the end of the first confining stage) over the height then"});
     imbalance_ = recorder.add({"platen_imbalance", "1", "difference of the platens' forces over their mean"});
     unbalanced_ = recorder.add({"unbalanced_force_ratio", "1", "mean resultant on a particle over mean contact force"});
     stage_ = recorder.add({"stage", "1", "number of the stage, from 0"});
     if (confinement_->any()) {
-      asked_ = recorder.add({"confining_pressure", "Pa", "asked for at this moment (measured, where the wall is rigid)"});
-      got_ = recorder.add({"confining_pressure_applied", "Pa", "sum of the normal forces on the lateral surface over its area"});
-      deviator_ = recorder.add({"deviatoric_platen_stress", "Pa", "platen stress minus the applied confining pressure"});
+      asked_ =
+          recorder.add({"confining_pressure", "Pa", "asked for at this moment (measured, where the wall is rigid)"});
+      got_ = recorder.add(
+          {"confining_pressure_applied", "Pa", "sum of the normal forces on the lateral surface over its area"});
+      deviator_ =
+          recorder.add({"deviatoric_platen_stress", "Pa", "platen stress minus the applied confining pressure"});
     }
   }
 
@@ -88,12 +114,14 @@ class AxialTest : public Protocol {
     }
     if (s_.stage < stages_.size() && stages_[s_.stage].confining_pressure) serve(control);
     platens_.move(control);
-    confinement_->apply(control, t, platens_.lower_rise(control) + s_.lower_rise_before, shape_.height - platens_.upper_fall(control) - s_.upper_fall_before);
+    confinement_->apply(control, t, platens_.lower_rise(control) + s_.lower_rise_before,
+                        shape_.height - platens_.upper_fall(control) - s_.upper_fall_before);
   }
 
   Progress sample(const SimulationView& view, LoadControl& control, Recorder& recorder) override {
     if (!s_.seated && !seat(view, control)) return Progress::running;
-    const double below = platens_.force_below(control), above = platens_.force_above(control), mean = 0.5 * (below + above);
+    const double below = platens_.force_below(control), above = platens_.force_above(control),
+                 mean = 0.5 * (below + above);
     s_.strain = strain(control);
     s_.stress = mean / shape_.cross_section_area;
     const double unbalanced = unbalanced_force_ratio(view);
@@ -117,7 +145,8 @@ class AxialTest : public Protocol {
       }
       const bool first_time = s_.strain >= s_.farthest;
       s_.farthest = std::max(s_.farthest, s_.strain);
-      s_.failed = c_.stop_stress_ratio > 0 && first_time && s_.peak > c_.failure_stress && deviator < c_.stop_stress_ratio * s_.peak;
+      s_.failed = c_.stop_stress_ratio > 0 && first_time && s_.peak > c_.failure_stress &&
+                  deviator < c_.stop_stress_ratio * s_.peak;
     }
     return s_.failed || s_.stage >= stages_.size() ? Progress::finished : Progress::running;
   }
@@ -133,9 +162,9 @@ class AxialTest : public Protocol {
     char text[96];
     if (!s_.seated) return "seating";
     if (stages_.size() > 1)
-      std::snprintf(text, sizeof text, "stage %zu of %zu, stress %.1f MPa", std::min(s_.stage + 1, stages_.size()), stages_.size(), s_.stress * 1e-6);
-    else
-      std::snprintf(text, sizeof text, "stress %.1f MPa", s_.stress * 1e-6);
+      std::snprintf(text, sizeof text, "stage %zu of %zu, stress %.1f MPa", std::min(s_.stage + 1, stages_.size()),
+                    stages_.size(), s_.stress * 1e-6);
+    else std::snprintf(text, sizeof text, "stress %.1f MPa", s_.stress * 1e-6);
     return text;
   }
 
@@ -148,18 +177,25 @@ class AxialTest : public Protocol {
     summary.own("peak_platen_stress_Pa", s_.stress_at_peak);
     summary.own("peak_deviatoric_platen_stress_Pa", s_.peak);
     summary.own("final_platen_strain", s_.strain);
-    summary.own("stopped_by", s_.failed ? "stress drop" : s_.stage < stages_.size() ? "request" : c_.stages ? "last stage" : "max_strain");
+    summary.own("stopped_by", s_.failed                   ? "stress drop"
+                              : s_.stage < stages_.size() ? "request"
+                              : c_.stages                 ? "last stage"
+                                                          : "max_strain");
     Json stages = Json::array();
     for (std::size_t k = 0; k < std::min(s_.stage, stages_.size()); ++k) {
       const StageEnd& e = s_.ends[k];
-      stages.push_back({{"target", stages_[k].text()}, {"end_time_s", e.time}, {"platen_stress_Pa", e.stress},
-                        {"confining_pressure_Pa", e.pressure}, {"platen_strain", e.strain}});
+      stages.push_back({{"target", stages_[k].text()},
+                        {"end_time_s", e.time},
+                        {"platen_stress_Pa", e.stress},
+                        {"confining_pressure_Pa", e.pressure},
+                        {"platen_strain", e.strain}});
     }
     summary.own("stages", stages);
     confinement_->finish(view, summary);
     // Evidence of a quasi-static run: the ratio over the loading branch between 10 % and 90 % of the peak.
     if (curves.rows() == 0) return;
-    const auto stress = curves.column(confinement_->any() ? "deviatoric_platen_stress" : "platen_stress"), ratio = curves.column("unbalanced_force_ratio");
+    const auto stress = curves.column(confinement_->any() ? "deviatoric_platen_stress" : "platen_stress"),
+               ratio = curves.column("unbalanced_force_ratio");
     double most = 0;
     for (std::size_t k = 0; k < stress.size() && stress[k] < 0.9 * s_.peak; ++k)
       if (stress[k] > 0.1 * s_.peak) most = std::max(most, ratio[k]);
@@ -168,10 +204,14 @@ class AxialTest : public Protocol {
   std::span<std::byte> state() override { return std::as_writable_bytes(std::span(&s_, 1)); }
 
  protected:
-  /// The `stages` of the configuration, or those of `first` and then one to `max_strain`. Without a `seating_stress` strain
-  /// is counted from the first step.
-  AxialTest(const AxialConfig& config, std::vector<Stage> first, std::unique_ptr<Confinement> confinement, std::optional<double> seating_stress)
-      : c_(config), stages_(config.stages.value_or(std::move(first))), confinement_(std::move(confinement)), seating_stress_(seating_stress) {
+  /// The `stages` of the configuration, or those of `first` and then one to `max_strain`. Without a `seating_stress`
+  /// strain is counted from the first step.
+  AxialTest(const AxialConfig& config, std::vector<Stage> first, std::unique_ptr<Confinement> confinement,
+            std::optional<double> seating_stress)
+      : c_(config),
+        stages_(config.stages.value_or(std::move(first))),
+        confinement_(std::move(confinement)),
+        seating_stress_(seating_stress) {
     if (c_.stages) return;
     Stage last;
     last.axial_strain = c_.max_strain.value_or(0.05);
@@ -186,14 +226,16 @@ class AxialTest : public Protocol {
     double height = 0, seating_approach = 0, strain = 0, stress = 0, peak = 0, stress_at_peak = 0, farthest = -1e300;
     double reference_approach = 0, strain_at_entry = 0, entry_time = 0, ramp_time = 0;
     double lower_rise_before = 0, upper_fall_before = 0;  // before the start of loading
-    double sense = 1;                                      // +1: the stage closes the platens
-    SmoothRamp axial_stress;                               // target of the servo
+    double sense = 1;                                     // +1: the stage closes the platens
+    SmoothRamp axial_stress;                              // target of the servo
     bool begun = false, seated = false, failed = false, quiet = false, confined_once = false;
     std::size_t stage = 0;
     std::array<StageEnd, 64> ends;
   };
 
-  double strain(const LoadControl& control) const { return (platens_.approach(control) - s_.reference_approach) / s_.height; }
+  double strain(const LoadControl& control) const {
+    return (platens_.approach(control) - s_.reference_approach) / s_.height;
+  }
   double stress(const LoadControl& control) const { return platens_.force(control) / shape_.cross_section_area; }
   double deviator(const LoadControl& control) const { return stress(control) - confinement_->target(); }
 
@@ -201,10 +243,12 @@ class AxialTest : public Protocol {
     const double below = platens_.force_below(control), above = platens_.force_above(control);
     if (seating_stress_) {
       const WallView &low = platens_.lower(view), &up = platens_.upper(view);
-      if (low.contacts == 0 || up.contacts == 0 || std::min(below, above) < *seating_stress_ * shape_.cross_section_area) {
+      if (low.contacts == 0 || up.contacts == 0 ||
+          std::min(below, above) < *seating_stress_ * shape_.cross_section_area) {
         const double limit = c_.max_strain.value_or(0.05);
         if (platens_.approach(control) < limit * s_.height) return false;
-        throw UserError("protocol: the platens have closed by " + std::to_string(int(100 * limit)) + " % without both carrying "
+        throw UserError("protocol: the platens have closed by " + std::to_string(int(100 * limit)) +
+                        " % without both carrying "
                         "seating_stress; lower seating_stress, or look whether the specimen reaches from end to end");
       }
       s_.height = (up.point - low.point).dot(shape_.axis);
@@ -223,9 +267,11 @@ class AxialTest : public Protocol {
     s_.entry_time = t;
     s_.strain_at_entry = strain(control);
     if (now.confining_pressure) {
-      const double way = std::max(std::abs(*now.confining_pressure - stress(control)), std::abs(*now.confining_pressure - confinement_->target()));
+      const double way = std::max(std::abs(*now.confining_pressure - stress(control)),
+                                  std::abs(*now.confining_pressure - confinement_->target()));
       // So that the platens close at about their velocity, and slowly against the waves that it sends.
-      s_.ramp_time = std::max(way / stiffness_.modulus * s_.height / (platens_.platens() * speed), 5 * s_.height / stiffness_.wave_speed);
+      s_.ramp_time = std::max(way / stiffness_.modulus * s_.height / (platens_.platens() * speed),
+                              5 * s_.height / stiffness_.wave_speed);
       s_.axial_stress.set(stress(control));
       s_.axial_stress.lead_to(*now.confining_pressure, t, s_.ramp_time);
       confinement_->lead_to(*now.confining_pressure, t, s_.ramp_time);
@@ -233,7 +279,9 @@ class AxialTest : public Protocol {
     }
     confinement_->begin_loading(t, s_.height / stiffness_.wave_speed);
     const double from = now.axial_strain ? s_.strain_at_entry : now.axial_stress ? stress(control) : deviator(control);
-    const double to = now.axial_strain ? *now.axial_strain : now.axial_stress ? *now.axial_stress : now.deviatoric_stress.value_or(0);
+    const double to = now.axial_strain   ? *now.axial_strain
+                      : now.axial_stress ? *now.axial_stress
+                                         : now.deviatoric_stress.value_or(0);
     s_.sense = to >= from ? 1 : -1;
     platens_.lead_to(now.hold_time ? 0 : s_.sense * speed, t);
   }
@@ -246,11 +294,14 @@ class AxialTest : public Protocol {
     const double since = control.time() - s_.entry_time;
     if (now.hold_time) return since >= *now.hold_time;
     if (since < s_.ramp_time) return false;
-    const double off = std::abs(stress(control) - *now.confining_pressure), scale = std::max(*now.confining_pressure, 1e-3 * stiffness_.modulus * 1e-2);
+    const double off = std::abs(stress(control) - *now.confining_pressure),
+                 scale = std::max(*now.confining_pressure, 1e-3 * stiffness_.modulus * 1e-2);
     if (off < 0.005 * scale && s_.quiet) return true;
     if (since > 20 * s_.ramp_time)
-      throw UserError("protocol: the specimen does not carry the confining pressure: the platen stress is still away from it after twenty times the "
-                      "time in which it was led there");
+      throw UserError(
+          "protocol: the specimen does not carry the confining pressure: the platen stress is still away from it after "
+          "twenty times the "
+          "time in which it was led there");
     return false;
   }
 
@@ -281,7 +332,8 @@ class AxialTest : public Protocol {
   SpecimenShape shape_;
   BondStiffness stiffness_;
   Platens platens_;
-  std::size_t stress_ = 0, strain_ = 0, imbalance_ = 0, unbalanced_ = 0, stage_ = 0, asked_ = 0, got_ = 0, deviator_ = 0;
+  std::size_t stress_ = 0, strain_ = 0, imbalance_ = 0, unbalanced_ = 0, stage_ = 0, asked_ = 0, got_ = 0,
+              deviator_ = 0;
   Running s_;
 };
 

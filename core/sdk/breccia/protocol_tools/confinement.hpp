@@ -18,9 +18,11 @@ class Confinement {
   /// Axial loading begins or goes on; `travel` is the time of a wave from end to end.
   virtual void begin_loading(double /*time*/, double /*travel*/) {}
   virtual void apply(LoadControl&, double /*time*/, double /*low*/, double /*high*/) {}
-  virtual double target() const { return 0; }                            ///< where the pressure is being led [Pa]
+  virtual double target() const { return 0; }  ///< where the pressure is being led [Pa]
   virtual double asked(double /*time*/, double achieved) const { return achieved; }  ///< at this moment [Pa]
-  virtual double achieved(const SimulationView&) const { return 0; }      ///< mean normal stress on the lateral surface [Pa]
+  virtual double achieved(const SimulationView&) const {
+    return 0;
+  }  ///< mean normal stress on the lateral surface [Pa]
   virtual void finish(const SimulationView&, Summary&) {}
 };
 
@@ -33,13 +35,16 @@ class PressureConfinement final : public Confinement {
     if (shape.outline != SpecimenShape::Outline::cylinder && shape.outline != SpecimenShape::Outline::box)
       throw UserError("protocol: lateral pressure needs a cylinder, a box or a rectangle");
     surface_.emplace(shape, view, rule_);
-    if (surface_->particles() == 0) throw UserError("protocol: no particle is seen on the lateral surface of the specimen");
+    if (surface_->particles() == 0)
+      throw UserError("protocol: no particle is seen on the lateral surface of the specimen");
   }
   void lead_to(double pressure, double time, double duration) override { ramp_.lead_to(pressure, time, duration); }
   void begin_loading(double time, double travel) override {
     if (jacket_ > 0) ramp_.lead_to(jacket_, time, 10 * travel);
   }
-  void apply(LoadControl& control, double time, double low, double high) override { surface_->apply(control, ramp_.at(time), low, high); }
+  void apply(LoadControl& control, double time, double low, double high) override {
+    surface_->apply(control, ramp_.at(time), low, high);
+  }
   double target() const override { return ramp_.target(); }
   double asked(double time, double) const override { return ramp_.at(time); }
   double achieved(const SimulationView&) const override { return surface_->achieved(); }
@@ -63,7 +68,8 @@ class RigidConfinement final : public Confinement {
  public:
   explicit RigidConfinement(std::optional<double> stiffness) : stiffness_(stiffness) {}
   bool any() const override { return true; }
-  void setup(const SpecimenShape& shape, const SimulationView& view, LoadControl& control, double platen_stiffness) override {
+  void setup(const SpecimenShape& shape, const SimulationView& view, LoadControl& control,
+             double platen_stiffness) override {
     const double k = used_ = stiffness_.value_or(platen_stiffness);
     height_ = shape.height;
     if (shape.outline == SpecimenShape::Outline::cylinder) {
@@ -72,7 +78,8 @@ class RigidConfinement final : public Confinement {
       width_ = 2 * std::numbers::pi * radius_;
       return;
     }
-    if (shape.outline != SpecimenShape::Outline::box) throw UserError("protocol: a rigid cell needs a cylinder, a box or a rectangle");
+    if (shape.outline != SpecimenShape::Outline::box)
+      throw UserError("protocol: a rigid cell needs a cylinder, a box or a rectangle");
     const Vec3 middle = shape.base + 0.5 * shape.height * shape.axis;
     for (int axis = 0; axis < view.dimension; ++axis) {
       const Vec3 out = Vec3::Unit(axis);

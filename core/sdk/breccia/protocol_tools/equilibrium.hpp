@@ -6,8 +6,8 @@
 
 namespace breccia {
 
-/// Mean resultant on a particle over mean contact force: small values say that a run is quasi-static. 0 without contacts.
-/// Particles that `held` marks (one entry each, or none) have a resultant by intention and do not count.
+/// Mean resultant on a particle over mean contact force: small values say that a run is quasi-static. 0 without
+/// contacts. Particles that `held` marks (one entry each, or none) have a resultant by intention and do not count.
 inline double unbalanced_force_ratio(const SimulationView& view, std::span<const std::uint8_t> held = {}) {
   double resultant = 0, contact = 0;
   std::size_t contacts = 0, particles = 0;

@@ -11,12 +11,15 @@ namespace breccia {
 /// Which area a surface particle offers to the pressure.
 enum class PressureArea { voronoi, disc };
 
-template <class Config> void describe_pressure_area(Schema<Config>& s, PressureArea Config::* member) {
+template <class Config>
+void describe_pressure_area(Schema<Config>& s, PressureArea Config::*member) {
   s.param("pressure_area", member)
-      .choice("voronoi", PressureArea::voronoi, "Voronoi cell on the unrolled surface, weighted by the radii: the forces add up to pressure times "
-                                                "surface")
-      .choice("disc", PressureArea::disc, "pi r^2 (2 r times the thickness in two dimensions), as in Oñate et al. (2015); the "
-                                           "forces add up to what the cross-sections of the surface particles happen to cover")
+      .choice("voronoi", PressureArea::voronoi,
+              "Voronoi cell on the unrolled surface, weighted by the radii: the forces add up to pressure times "
+              "surface")
+      .choice("disc", PressureArea::disc,
+              "pi r^2 (2 r times the thickness in two dimensions), as in Oñate et al. (2015); the "
+              "forces add up to what the cross-sections of the surface particles happen to cover")
       .doc("area of a particle of the lateral surface on which the confining pressure acts")
       .source("Cheung, O'Sullivan (2008), Particuology 6, 483-500; Oñate et al. (2015), section 10.1.1")
       .fallback("voronoi");
@@ -47,7 +50,8 @@ class LateralPressure {
       applied_ += size;
       forces_.push_back({c.particle, size * c.inward, -p.radius[c.particle] * size * c.inward * c.inward.transpose()});
     }
-    std::stable_sort(forces_.begin(), forces_.end(), [](const Force& a, const Force& b) { return a.particle < b.particle; });
+    std::stable_sort(forces_.begin(), forces_.end(),
+                     [](const Force& a, const Force& b) { return a.particle < b.particle; });
     std::size_t distinct = 0;
     for (std::size_t k = 0; k < forces_.size();) {
       Force sum = forces_[k];

@@ -13,8 +13,9 @@ namespace breccia {
 struct SurfaceCell {
   Index particle;
   Vec3 inward = Vec3::Zero();  ///< unit normal
-  double area = 0;             ///< its Voronoi cell on the unrolled surface, weighted by the radii [m2]; see Cheung and O'Sullivan (2008)
-  double disc = 0;             ///< pi r^2, in two dimensions 2 r times the thickness [m2]; see Oñate et al. (2015), 10.1.1
+  double area =
+      0;  ///< its Voronoi cell on the unrolled surface, weighted by the radii [m2]; see Cheung and O'Sullivan (2008)
+  double disc = 0;  ///< pi r^2, in two dimensions 2 r times the thickness [m2]; see Oñate et al. (2015), 10.1.1
 };
 
 /// Faces of the specimen along its axis: the mantle of a cylinder, the four sides of a box, the two of a rectangle.
@@ -24,7 +25,8 @@ class LateralSurface {
       : dimension_(dimension), thickness_(thickness), axis_(shape.axis), base_(shape.base) {
     int least = 0;
     axis_.cwiseAbs().minCoeff(&least);
-    const Vec3 e1 = dimension == 2 ? Vec3(-axis_.y(), axis_.x(), 0) : axis_.cross(Vec3::Unit(least)).normalized(), e2 = axis_.cross(e1);
+    const Vec3 e1 = dimension == 2 ? Vec3(-axis_.y(), axis_.x(), 0) : axis_.cross(Vec3::Unit(least)).normalized(),
+               e2 = axis_.cross(e1);
     const bool round = dimension == 3 && shape.outline != SpecimenShape::Outline::box;
     if (round) {
       faces_.push_back({e1, e2, true, 0, std::sqrt(shape.cross_section_area / std::numbers::pi)});
@@ -39,8 +41,9 @@ class LateralSurface {
     for (const double r : particles.radius) pitch_ += 0.25 * r / double(particles.size());
   }
 
-  /// The particles that are seen from outside, over at least half of their cross-section, and their cells, at the present
-  /// positions between two heights above the specimen's base [m]. What has sunk behind others is no longer of the surface.
+  /// The particles that are seen from outside, over at least half of their cross-section, and their cells, at the
+  /// present positions between two heights above the specimen's base [m]. What has sunk behind others is no longer of
+  /// the surface.
   void measure(const ParticlesView& p, double low, double high) {
     cells_.clear();
     area_ = 0;
@@ -57,12 +60,15 @@ class LateralSurface {
       const double width = f.round ? 2 * std::numbers::pi * radius : f.width;
       std::vector<SurfacePoint> points;
       for (const Place& at : places)
-        points.emplace_back(f.round ? at.across * radius : std::clamp(at.across + 0.5 * width, 0.0, width), at.along - low);
+        points.emplace_back(f.round ? at.across * radius : std::clamp(at.across + 0.5 * width, 0.0, width),
+                            at.along - low);
       const std::vector<double> areas = voronoi_areas(points, width, high - low, f.round, radii);
       for (std::size_t n = 0; n < places.size(); ++n) {
         const Index k = particles[n];
-        const double r = p.radius[k], bulge = f.round ? (places[n].out + r) / radius : 1.0;  // the mantle as wide as it is here
-        cells_.push_back({k, -places[n].outward, areas[n] * bulge, dimension_ == 2 ? 2 * r * thickness_ : std::numbers::pi * r * r});
+        const double r = p.radius[k],
+                     bulge = f.round ? (places[n].out + r) / radius : 1.0;  // the mantle as wide as it is here
+        cells_.push_back(
+            {k, -places[n].outward, areas[n] * bulge, dimension_ == 2 ? 2 * r * thickness_ : std::numbers::pi * r * r});
         area_ += cells_.back().area;
       }
     }
@@ -78,7 +84,7 @@ class LateralSurface {
 
  private:
   struct Face {
-    Vec3 e1, e2;     ///< round: any two across the axis; flat: outward, and along the face
+    Vec3 e1, e2;  ///< round: any two across the axis; flat: outward, and along the face
     bool round;
     double width, out;  ///< of a flat face; of the surface from the axis, at the start [m]
   };
@@ -98,7 +104,8 @@ class LateralSurface {
   /// A map of the surface, as an observer outside sees it: in each spot the particle that stands out farthest.
   std::vector<Index> seen(const Face& f, const ParticlesView& p, double low, double high) const {
     const double pitch = pitch_, width = f.round ? 2 * std::numbers::pi * f.out : f.width;
-    const long across = dimension_ == 2 ? 1 : std::max(8L, std::lround(width / pitch)), up = std::max(1L, std::lround((high - low) / pitch));
+    const long across = dimension_ == 2 ? 1 : std::max(8L, std::lround(width / pitch)),
+               up = std::max(1L, std::lround((high - low) / pitch));
     struct Spot {
       double out = -1e300;
       Index particle = 0;
@@ -106,13 +113,16 @@ class LateralSurface {
     std::vector<Spot> map(std::size_t(across * up));
     const auto paint = [&](Index k, auto&& spot) {
       const Place at = place(f, p.position[k]);
-      const double r = p.radius[k], x = dimension_ == 2 ? 0.5 : (f.round ? at.across * f.out : at.across + 0.5 * width) / pitch,
+      const double r = p.radius[k],
+                   x = dimension_ == 2 ? 0.5 : (f.round ? at.across * f.out : at.across + 0.5 * width) / pitch,
                    y = (at.along - low) / pitch, reach = r / pitch;
       for (long j = long(std::floor(y - reach)); j <= long(y + reach); ++j) {
         if (j < 0 || j >= up) continue;
-        for (long i = dimension_ == 2 ? 0 : long(std::floor(x - reach)); i <= (dimension_ == 2 ? 0 : long(x + reach)); ++i) {
+        for (long i = dimension_ == 2 ? 0 : long(std::floor(x - reach)); i <= (dimension_ == 2 ? 0 : long(x + reach));
+             ++i) {
           if (!f.round && (i < 0 || i >= across)) continue;
-          const double dx = dimension_ == 2 ? 0.0 : (double(i) + 0.5 - x) * pitch, dy = (double(j) + 0.5 - y) * pitch, left = r * r - dx * dx - dy * dy;
+          const double dx = dimension_ == 2 ? 0.0 : (double(i) + 0.5 - x) * pitch, dy = (double(j) + 0.5 - y) * pitch,
+                       left = r * r - dx * dx - dy * dy;
           if (left <= 0) continue;
           spot(map[std::size_t(j * across + ((i % across) + across) % across)], at.out + std::sqrt(left));
         }

@@ -18,21 +18,40 @@ struct PlatenConfig {
   MovingPlatens moving;
 };
 
-template <class Config> void describe_platens(Schema<Config>& s) {
-  s.param("platen_velocity", &Config::platen_velocity).unit("m/s").above(0).example("0.2 m/s")
-      .doc("of each moving platen, toward the other").source("Rojek et al. (2012), section 5.2: 0.2 m/s");
+template <class Config>
+void describe_platens(Schema<Config>& s) {
+  s.param("platen_velocity", &Config::platen_velocity)
+      .unit("m/s")
+      .above(0)
+      .example("0.2 m/s")
+      .doc("of each moving platen, toward the other")
+      .source("Rojek et al. (2012), section 5.2: 0.2 m/s");
   s.param("moving_platens", &Config::moving)
       .choice("both", MovingPlatens::both, "each at platen_velocity")
       .choice("upper", MovingPlatens::upper, "the lower one stands")
-      .fallback("both").doc("which platens move");
-  s.param("platen_stiffness", &Config::platen_stiffness).unit("N/m").above(0).example("15 MN/m")
-      .doc("penalty stiffness of the contact of a particle with a platen; if absent twice the mean normal stiffness of the bonds")
+      .fallback("both")
+      .doc("which platens move");
+  s.param("platen_stiffness", &Config::platen_stiffness)
+      .unit("N/m")
+      .above(0)
+      .example("15 MN/m")
+      .doc(
+          "penalty stiffness of the contact of a particle with a platen; if absent twice the mean normal stiffness of "
+          "the bonds")
       .source("Rojek et al. (2012), section 5.2: 15 MN/m");
-  s.param("platen_friction", &Config::platen_friction).at_least(0).fallback(0.0)
-      .doc("Coulomb coefficient between particles and platens").source("Rojek et al. (2012), section 5.2: frictionless");
-  s.param("platen_stiffness_ratio", &Config::stiffness_ratio).above(0).fallback(1.0)
+  s.param("platen_friction", &Config::platen_friction)
+      .at_least(0)
+      .fallback(0.0)
+      .doc("Coulomb coefficient between particles and platens")
+      .source("Rojek et al. (2012), section 5.2: frictionless");
+  s.param("platen_stiffness_ratio", &Config::stiffness_ratio)
+      .above(0)
+      .fallback(1.0)
       .doc("normal over shear stiffness of a platen contact; matters only with friction");
-  s.param("ramp_time", &Config::ramp_time).unit("s").at_least(0).fallback(20e-6)
+  s.param("ramp_time", &Config::ramp_time)
+      .unit("s")
+      .at_least(0)
+      .fallback(20e-6)
       .doc("time in which the platens reach their velocity, and in which they turn round");
 }
 
@@ -64,14 +83,14 @@ class Platens {
   double force_below(const LoadControl& c) const { return -c.wall_force(lower_).dot(axis_); }  // [N]
   double force_above(const LoadControl& c) const { return c.wall_force(upper_).dot(axis_); }
   double force(const LoadControl& c) const { return 0.5 * (force_below(c) + force_above(c)); }
-  double lower_rise(const LoadControl& c) const { return c.wall_displacement(lower_).dot(axis_); }   // [m]
+  double lower_rise(const LoadControl& c) const { return c.wall_displacement(lower_).dot(axis_); }  // [m]
   double upper_fall(const LoadControl& c) const { return -c.wall_displacement(upper_).dot(axis_); }
   /// By which they have come closer since the start of loading [m].
   double approach(const LoadControl& c) const { return lower_rise(c) + upper_fall(c); }
   const WallView& lower(const SimulationView& view) const { return view.walls[lower_]; }
   const WallView& upper(const SimulationView& view) const { return view.walls[upper_]; }
   double platens() const { return moving_ == MovingPlatens::both ? 2 : 1; }  ///< that move
-  double stiffness() const { return stiffness_; }                          // [N/m]
+  double stiffness() const { return stiffness_; }                            // [N/m]
   SmoothRamp& speed() { return speed_; }
 
  private:

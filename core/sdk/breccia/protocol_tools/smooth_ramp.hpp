@@ -7,8 +7,8 @@
 
 namespace breccia {
 
-/// Trivially copyable: part of a protocol's running state. A ramp to where it already leads is not begun again, so that a
-/// test may be cut into stages without a trace.
+/// Trivially copyable: part of a protocol's running state. A ramp to where it already leads is not begun again, so that
+/// a test may be cut into stages without a trace.
 class SmoothRamp {
  public:
   double at(double time) const {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Voronoi cells of circles on a rectangle, flat or rolled up to a cylinder: how much of a surface each particle stands for.
+/// Voronoi cells of circles on a rectangle, flat or rolled up to a cylinder: how much of a surface each particle stands
+/// for.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +22,8 @@ class VoronoiCell {
   VoronoiCell(double left, double right, double low, double high)
       : corners_{{left, low}, {right, low}, {right, high}, {left, high}} {}
 
-  /// Keeps what is nearer to the origin than to `other`; `lead`: square of the origin's radius less that of the other's.
+  /// Keeps what is nearer to the origin than to `other`; `lead`: square of the origin's radius less that of the
+  /// other's.
   void cut(const SurfacePoint& other, double lead) {
     const double half = 0.5 * (other.squaredNorm() + lead);
     kept_.clear();
@@ -29,7 +31,8 @@ class VoronoiCell {
       const SurfacePoint &a = corners_[k], &b = corners_[(k + 1) % corners_.size()];
       const double over_a = a.dot(other) - half, over_b = b.dot(other) - half;
       if (over_a <= 0) kept_.push_back(a);
-      if ((over_a < 0 && over_b > 0) || (over_a > 0 && over_b < 0)) kept_.push_back(a + over_a / (over_a - over_b) * (b - a));
+      if ((over_a < 0 && over_b > 0) || (over_a > 0 && over_b < 0))
+        kept_.push_back(a + over_a / (over_a - over_b) * (b - a));
     }
     corners_.swap(kept_);
   }
@@ -53,11 +56,12 @@ class VoronoiCell {
 
 }  // namespace detail
 
-/// Areas [m2] of the cells, which fill the rectangle [0, width] x [0, height]; where it wraps the cells go round. With radii
-/// [m] the boundary of two cells is where tangents to both circles are equally long (power diagram: Aurenhammer (1987), SIAM J.
-/// Comput. 16, 78-96), so that a small circle among large ones has a small cell, or none. Of two in one place the larger has all.
-inline std::vector<double> voronoi_areas(const std::vector<SurfacePoint>& points, double width, double height, bool wraps,
-                                         const std::vector<double>& radii = {}) {
+/// Areas [m2] of the cells, which fill the rectangle [0, width] x [0, height]; where it wraps the cells go round. With
+/// radii [m] the boundary of two cells is where tangents to both circles are equally long (power diagram: Aurenhammer
+/// (1987), SIAM J. Comput. 16, 78-96), so that a small circle among large ones has a small cell, or none. Of two in one
+/// place the larger has all.
+inline std::vector<double> voronoi_areas(const std::vector<SurfacePoint>& points, double width, double height,
+                                         bool wraps, const std::vector<double>& radii = {}) {
   const std::size_t n = points.size();
   std::vector<double> areas(n, 0.0);
   if (n == 0) return areas;
@@ -79,7 +83,8 @@ inline std::vector<double> voronoi_areas(const std::vector<SurfacePoint>& points
   for (Index k = 0; k < n; ++k) {
     const SurfacePoint& p = points[k];
     const double own = square(k);
-    detail::VoronoiCell cell(wraps ? -0.5 * width : -p.x(), wraps ? 0.5 * width : width - p.x(), -p.y(), height - p.y());
+    detail::VoronoiCell cell(wraps ? -0.5 * width : -p.x(), wraps ? 0.5 * width : width - p.x(), -p.y(),
+                             height - p.y());
     bool covered = false;
     const long c0 = column(p.x()), r0 = row(p.y()), farthest = std::max(across, up);
     const auto can_be_cut_from = [&](double distance) {
