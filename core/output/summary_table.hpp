@@ -28,6 +28,8 @@ class SummaryTable {
 
   /// UserError when two owners set one key: the workflow then lists two plugins for the same thing.
   void set(const std::string& key, Json value, const std::string& owner = "breccia");
+  /// One of the core's own numbers that is not yet final: may be set again.
+  void update(const std::string& key, Json value) { json_[key] = std::move(value); }
   void add(Table table, const std::string& owner);  ///< the same for two tables of one name
   const Json& json() const { return json_; }
   /// summary.json, and tables/<name>.csv for each table, in this folder.

@@ -11,6 +11,7 @@
 #include "engine/simulation.hpp"
 #include "output/curve_table.hpp"
 #include "output/summary_table.hpp"
+#include "run/warning_log.hpp"
 
 namespace breccia {
 namespace {
@@ -63,9 +64,10 @@ class Drive {
     curves_.open(folder_ / "curves.csv");
     follow();
     curves_.close();
-    write_summary();
+    write_summary();  // whole before the charts
     std::vector<std::filesystem::path> files = {folder_ / "curves.csv", folder_ / "summary.json"};
     const auto charts = draw();
+    write_summary();
     files.insert(files.end(), charts.begin(), charts.end());
     return files;
   }
@@ -254,10 +256,11 @@ class Drive {
                        {"coordination_number", s_.coordination_number}});
     t.set("contact_law", Json{{s_.law.type, s_.law.config}});
     if (const Json derived = law_->derived(); !derived.empty()) t.set("derived", derived);
+    t.update("warnings", host_.warnings());
     t.write(folder_);
   }
 
-  std::vector<std::filesystem::path> draw() const {
+  std::vector<std::filesystem::path> draw() {
     if (!s_.renderer) return {};
     try {
       return registry_.create<Renderer>(*s_.renderer)->compare({{{folder_, s_.law.type}}, folder_}, host_);
@@ -271,7 +274,7 @@ class Drive {
   const DrivePath& path_;
   const Registry& registry_;
   const std::filesystem::path& folder_;
-  Host& host_;
+  WarningLog<Host> host_;
   std::unique_ptr<ContactLaw> law_;
   InSpecimen told_;
   double start_;  ///< distance of the centres [m]

@@ -19,12 +19,19 @@
 #include "run/frames.hpp"
 #include "run/packing_cache.hpp"
 #include "run/render.hpp"
+#include "run/warning_log.hpp"
 
 namespace breccia {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+class RunLog final : public WarningLog<RunMonitor> {
+ public:
+  using WarningLog::WarningLog;
+  void status(const RunStatus& status) override { to_.status(status); }
+};
 
 /// Everything of one run; each step of `run_workflow` is a member.
 class Run {
@@ -38,8 +45,10 @@ class Run {
     build();
     write_resolved();
     loop();
-    finish(seconds_since(start));
+    finish();
+    write_summary(seconds_since(start));  // whole before the pictures, which may take long or be interrupted
     draw();
+    write_summary(seconds_since(start));
     return {summary_.json(), interrupted_};
   }
 
@@ -176,7 +185,7 @@ class Run {
     return progress;
   }
 
-  void finish(double wall_seconds) {
+  void finish() {
     Simulation& sim = *simulation_;
     const SimulationView view = sim.view();
     const std::size_t n = view.particles.size(), bonds = view.bonds.size();
@@ -187,7 +196,6 @@ class Run {
     summary_.set("steps", view.step);
     summary_.set("time_step_s", view.time_step);
     summary_.set("simulated_time_s", view.time);
-    summary_.set("wall_time_s", wall_seconds);
     summary_.set("particles", n);
     summary_.set("bonds", bonds);
     summary_.set("porosity", packing_porosity());
@@ -211,6 +219,12 @@ class Run {
       SummaryTable::Section(summary_, "packing").own(line.name, entry);
     }
     summary_.set("reference", w_.reference);
+  }
+
+  /// The summary as it stands; what grows until the end of the run is set anew.
+  void write_summary(double wall_seconds) {
+    summary_.update("wall_time_s", wall_seconds);
+    summary_.update("warnings", monitor_.warnings());
     summary_.write(options_.folder);
   }
 
@@ -231,7 +245,7 @@ class Run {
   Json config_;
   const Registry& registry_;
   const RunOptions& options_;
-  RunMonitor& monitor_;
+  RunLog monitor_;
   std::unique_ptr<ContactLaw> law_;
   std::unique_ptr<Protocol> protocol_;
   std::vector<std::unique_ptr<Postprocessor>> posts_;
