@@ -32,6 +32,12 @@ bool skip_exponent(std::string_view unit, std::size_t& at) {
   return !marked;
 }
 
+/// "1/s"
+bool starts_one_over(std::string_view unit) {
+  const std::size_t next = unit.starts_with('1') ? unit.find_first_not_of(' ', 1) : unit.npos;
+  return next != unit.npos && unit[next] == '/';
+}
+
 }  // namespace
 
 std::string unit_syntax_problem(std::string_view unit) {
@@ -49,16 +55,13 @@ std::string unit_syntax_problem(std::string_view unit) {
     if (is_letter(c)) {
       while (at < unit.size() && is_letter(unit[at])) ++at;
       if (!skip_exponent(unit, at)) return quoted + " is not a unit: exponents are whole numbers such as `m2` or `s-1`";
-    } else if (c == '1' && at == 0 && unit.find_first_not_of(' ', 1) != std::string_view::npos &&
-               unit[unit.find_first_not_of(' ', 1)] == '/') {
+    } else if (c == ' ' || c == '.' || c == '*' || c == '/' || c == '-' || (at == 0 && starts_one_over(unit))) {
       ++at;
     } else if (is_digit(c)) {
       return quoted + " is not a unit: numbers stand in it only as exponents, such as `m2`";
     } else if (c == '(' || c == ')') {
       open += c == '(' ? 1 : -1;
       if (open < 0) break;
-      ++at;
-    } else if (c == ' ' || c == '.' || c == '*' || c == '/' || c == '-') {
       ++at;
     } else {
       return quoted + " is not a unit: `" + std::string(1, c) + "` has no meaning in it";

@@ -44,7 +44,7 @@ class Registry final : public PluginDirectory {
     std::unique_ptr<Plugin> plugin = from.create(choice.config);
     P* const typed = dynamic_cast<P*>(plugin.get());
     if (!typed) from.refuse_class();
-    plugin.release();
+    (void)plugin.release();
     return std::unique_ptr<P>(typed);
   }
 

@@ -26,6 +26,7 @@ pid_t start(const SweepJob& job) {
   std::vector<std::string> texts{"breccia"};
   texts.insert(texts.end(), job.arguments.begin(), job.arguments.end());
   std::vector<char*> arguments;
+  arguments.reserve(texts.size() + 1);
   for (std::string& t : texts) arguments.push_back(t.data());
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t files;
