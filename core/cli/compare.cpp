@@ -6,6 +6,7 @@
 #include "cli/console.hpp"
 #include "cli/renderer_settings.hpp"
 #include "cli/verbs.hpp"
+#include "output/results_folder.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -29,6 +30,7 @@ std::optional<PluginChoice> charts(const CompareArguments& a, const Registry& re
 
 int compare(const CompareArguments& a) {
   Console console(1);
+  for (const auto& folder : a.folders) complete_results(folder, console);
   const std::vector<ComparedRun> runs = read_runs(a.folders, a.labels);
   Registry registry;
   const auto made = compare_runs(runs, {a.output, a.overwrite, charts(a, registry, console)}, registry, console);

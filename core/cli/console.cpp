@@ -8,19 +8,32 @@
 
 #include <csignal>
 #include <cstdio>
+#include <ctime>
 
 namespace breccia::cli {
 namespace {
 
 volatile std::sig_atomic_t stop_requested = 0;
+volatile std::sig_atomic_t first_request = 0;  // [s], of a clock that cannot be set
 
+/// The first signal asks the run to stop. One that comes at once after it is no second thought: `timeout` and batch
+/// systems signal the process and its group, a closing terminal sends SIGHUP and SIGTERM. Only a later one ends the
+/// program, for a run that is stuck in a plugin.
 extern "C" void on_signal(int signal) {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
   if (stop_requested) {
+    if (now.tv_sec - first_request < 2) return;
     std::signal(signal, SIG_DFL);
     std::raise(signal);
+  } else {
+    first_request = std::sig_atomic_t(now.tv_sec);
+    stop_requested = 1;
   }
-  stop_requested = 1;
 }
+
+/// To the terminal, if there still is one: a closed pipe (`| head`) does not end a run.
+void say(const std::string& text) { std::fputs(text.c_str(), stderr); }
 
 using std::chrono::duration;
 using std::chrono::steady_clock;
@@ -34,16 +47,25 @@ std::string clock_text(double seconds) {
 }  // namespace
 
 Console::Console(int threads) : threads_(threads), terminal_(isatty(STDERR_FILENO) == 1) {
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction now {};
+    sigaction(signal, nullptr, &now);
+    if (now.sa_handler != SIG_IGN) std::signal(signal, on_signal);  // nohup's wish stands
+  }
+  // A file that may not grow (ulimit -f) and a reader that is gone are told by the write that fails.
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
   start_ = steady_clock::now();
   last_drawn_ = last_logged_ = start_ - std::chrono::hours(1);
 }
 
 Console::~Console() {
   clear_bar();
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction now {};
+    sigaction(signal, nullptr, &now);
+    if (now.sa_handler == on_signal) std::signal(signal, SIG_DFL);
+  }
 }
 
 void Console::log_to(const std::filesystem::path& file) {
@@ -63,7 +85,7 @@ void Console::clear_bar() {
 
 void Console::info(std::string_view text) {
   clear_bar();
-  fmt::print(stderr, "{}\n", text);
+  say(fmt::format("{}\n", text));
   if (file_) file_->info("{}", text);
 }
 
@@ -73,7 +95,7 @@ void Console::log_only(const std::string& text) {
 
 void Console::warn(std::string_view text) {
   clear_bar();
-  fmt::print(stderr, "warning: {}\n", text);
+  say(fmt::format("warning: {}\n", text));
   if (file_) file_->warn("{}", text);
 }
 
@@ -105,7 +127,7 @@ void Console::status(const RunStatus& s) {
   if (duration<double>(now - last_logged_).count() > 10) {
     last_logged_ = now;
     const std::string line = fmt::format("{:.0f} %  {}", 100 * s.share_done, tail);
-    if (!terminal_) fmt::print(stderr, "{}\n", line);
+    if (!terminal_) say(line + "\n");
     if (file_) file_->info("{}", line);
   }
 }

@@ -14,8 +14,9 @@ class logger;
 
 namespace breccia::cli {
 
-/// A progress bar with ETA on a terminal, plain lines now and then elsewhere. Ctrl-C (or SIGTERM) asks the run to stop;
-/// a second one ends the program at once.
+/// A progress bar with ETA on a terminal, plain lines now and then elsewhere. Ctrl-C, SIGTERM and
+/// SIGHUP ask the run to stop; another one ends the program, unless it follows at once (see on_signal). While it lives,
+/// closed pipes and files at their size limit are errors of the write, not signals.
 class Console final : public RunMonitor {
  public:
   explicit Console(int threads);

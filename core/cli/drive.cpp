@@ -111,14 +111,15 @@ int drive(const DriveArguments& a) {
   const DrivePath path = read_drive_path(a.path);
   s.renderer = charts(path, registry, console);
   const fs::path folder = a.output.empty() ? fs::path("results") / ("drive_" + s.law.type) : a.output;
-  ResultsFolder results(folder, a.overwrite);
-  console.log_to(folder / "run.log");
+  ResultsFolder results(folder, a.overwrite, console);
+  console.log_to(results.work() / "run.log");
   console.info(fmt::format("breccia {}: one contact of `{}` along {} into {}", BRECCIA_VERSION, s.law.type,
                            a.path.string(), folder.string()));
-  const auto files = breccia::drive(s, path, registry, folder, console);
-  results.keep();
+  const auto files = breccia::drive(s, path, registry, results.work(), console);
+  results.take_over(true);
   console.clear_bar();
-  for (const fs::path& file : files) console.info("made " + file.string());
+  for (const fs::path& file : files)
+    console.info("made " + (folder / file.lexically_relative(results.work())).string());
   return ok;
 }
 

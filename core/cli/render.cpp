@@ -9,6 +9,7 @@
 #include "cli/console.hpp"
 #include "cli/renderer_settings.hpp"
 #include "cli/verbs.hpp"
+#include "output/results_folder.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -31,6 +32,7 @@ PluginChoice settings(const RenderArguments& a, Registry& registry) {
 int render(const RenderArguments& a) {
   if (!fs::exists(a.source)) throw UserError("cannot read " + a.source.string() + ": no such file or folder");
   Console console(1);
+  complete_results(fs::is_directory(a.source) ? a.source : fs::absolute(a.source).parent_path(), console);
   Registry registry;
   const fs::path folder = !a.output.empty()            ? a.output
                           : fs::is_directory(a.source) ? a.source
@@ -39,6 +41,7 @@ int render(const RenderArguments& a) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw UserError("cannot make the folder " + folder.string() + ": " + error.message());
+  const FolderLock lock(folder, console);
   const auto made = render_all({choice}, registry, {a.source, folder}, console);
   for (const fs::path& file : made) console.info("picture " + file.string());
   return made.empty() ? failure : ok;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <thread>
 
 #include "cli/console.hpp"
@@ -14,22 +15,22 @@ namespace breccia::cli {
 namespace {
 
 /// "measured | paper | difference" for every reference value whose key the summary has.
-void print_comparison(const Json& summary) {
+std::string comparison(const Json& summary) {
   const Json& reference = summary["reference"];
-  bool any = false;
+  std::string text;
   for (const auto& [key, value] : reference.items()) {
     if (!value.is_number() || !summary.contains(key)) continue;
-    if (!any) fmt::print("\n{:<24} | {:>12} | {:>12} | {:>10}\n{:-<68}\n", "", "measured", "paper", "difference", "");
-    any = true;
+    if (text.empty())
+      text = fmt::format("\n{:<24} | {:>12} | {:>12} | {:>10}\n{:-<68}\n", "", "measured", "paper", "difference", "");
     const double r = value.get<double>();
     if (!summary[key].is_number()) {
-      fmt::print("{:<24} | {:>12} | {:>12.6g} |\n", key, "none", r);
+      text += fmt::format("{:<24} | {:>12} | {:>12.6g} |\n", key, "none", r);
       continue;
     }
     const double m = summary[key].get<double>();
-    fmt::print("{:<24} | {:>12.6g} | {:>12.6g} | {:>+8.2f} %\n", key, m, r, r != 0 ? 100 * (m / r - 1) : NAN);
+    text += fmt::format("{:<24} | {:>12.6g} | {:>12.6g} | {:>+8.2f} %\n", key, m, r, r != 0 ? 100 * (m / r - 1) : NAN);
   }
-  if (any) fmt::print("\n");
+  return text.empty() ? text : text + "\n";
 }
 
 }  // namespace
@@ -42,17 +43,29 @@ int run(const RunArguments& a) {
   const LoadedWorkflow loaded = load_workflow(a.file, a.overrides, registry, a.variant);
   const std::filesystem::path folder =
       a.output.empty() ? std::filesystem::path("results") / loaded.workflow.name : a.output;
-  ResultsFolder results(folder, a.overwrite);
-  console.log_to(folder / "run.log");
+  ResultsFolder results(folder, a.overwrite, console);
+  console.log_to(results.work() / "run.log");
   console.info(
       fmt::format("breccia {}: workflow `{}` into {}", BRECCIA_VERSION, loaded.workflow.name, folder.string()));
+  if (results.replaces_finished())
+    console.info(fmt::format("until they are whole, the new results grow in {}", results.work().string()));
   try {
-    const RunOutcome outcome = run_workflow(loaded, registry, {folder, default_cache_folder()}, console);
-    results.keep();
+    // What was stopped on request does not take the place of what had finished.
+    bool apart = false;
+    const auto whole = [&](bool interrupted) {
+      apart = interrupted && results.replaces_finished();
+      if (apart) return results.work();
+      results.take_over(!interrupted);
+      return results.path();
+    };
+    const RunOutcome outcome = run_workflow(loaded, registry, {results.work(), default_cache_folder(), whole}, console);
+    if (!apart) results.take_over(!outcome.summary["interrupted"].get<bool>());
     console.clear_bar();
-    print_comparison(outcome.summary);
-    console.info(fmt::format("{} in {:.1f} s; results in {}", outcome.interrupted ? "stopped on request" : "finished",
-                             outcome.summary["wall_time_s"].get<double>(), folder.string()));
+    std::fputs(comparison(outcome.summary).c_str(), stdout);
+    console.info(fmt::format(
+        "{} in {:.1f} s; results in {}", outcome.interrupted ? "stopped on request" : "finished",
+        outcome.summary["wall_time_s"].get<double>(),
+        apart ? results.work().string() + " (the earlier ones, which had finished, are kept)" : folder.string()));
     return outcome.interrupted ? interrupted : ok;
   } catch (const std::exception& e) {
     console.clear_bar();

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/results_folder.hpp"
 
-#include "breccia/error.hpp"
+#include <fstream>
+#include <set>
+
+#include "output/atomic_file.hpp"
 
 namespace breccia {
 
@@ -9,56 +12,211 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Whether somebody's results are there, to be set aside; UserError when that must not be.
-bool holds_results(const fs::path& folder, bool overwrite) {
-  if (!fs::exists(folder)) return false;
-  if (!fs::is_directory(folder)) throw UserError("cannot write results to " + folder.string() + ": it is a file");
-  if (fs::is_empty(folder)) return false;
-  if (!overwrite)
-    throw UserError("the folder " + folder.string() +
-                    " already holds files; nothing was changed. "
-                    "Choose another with --output, or allow its results to be replaced with --overwrite");
-  if (!fs::exists(folder / "resolved.yaml") && !fs::exists(folder / "run.log"))
-    throw UserError("the folder " + folder.string() +
-                    " does not look like the results of a run (no resolved.yaml, no run.log): "
-                    "not replaced. Choose another with --output");
-  return true;
+constexpr const char* manifest_name = "breccia.json";
+constexpr const char* format_mark = "breccia results 1";
+constexpr const char* lock_name = ".breccia.lock";
+constexpr const char* staging_name = "unfinished";
+constexpr const char* growing_name = "curves.csv.partial";
+constexpr const char* arriving_name = ".breccia.arriving";  ///< whole results on their way into the folder
+
+/// What Breccia says it wrote into a folder.
+struct Manifest {
+  bool valid = false, finished = false;
+  std::set<std::string> files;  ///< relative to the folder, with '/'
+};
+
+Manifest read_manifest(const fs::path& folder) {
+  std::ifstream in(folder / manifest_name, std::ios::binary);
+  const Json j = in ? Json::parse(in, nullptr, false) : Json();
+  Manifest m;
+  if (!j.is_object() || j.value("format", Json()) != format_mark) return m;
+  m.valid = true;
+  m.finished = j.value("finished", Json()) == true;
+  const Json files = j.value("files", Json::array());
+  if (!files.is_array()) return m;
+  for (const Json& name : files) {
+    if (!name.is_string()) continue;
+    const fs::path p = fs::path(name.get<std::string>()).lexically_normal();
+    if (p.is_relative() && !p.empty() && *p.begin() != "..") m.files.insert(p.generic_string());
+  }
+  return m;
+}
+
+void write_manifest(const fs::path& folder, const std::set<std::string>& files, bool finished) {
+  const Json j = {{"format", format_mark},
+                  {"about", "what Breccia wrote into this folder: --overwrite replaces these files and no others"},
+                  {"finished", finished},
+                  {"files", files}};
+  write_file(folder / manifest_name, j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+/// All files below, as a manifest names them; without Breccia's own records.
+std::set<std::string> files_in(const fs::path& folder) {
+  std::set<std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_directory() && !entry.is_symlink()) continue;
+    const std::string name = entry.path().lexically_relative(folder).generic_string();
+    if (name != manifest_name && name != lock_name) files.insert(name);
+  }
+  return files;
+}
+
+/// Removes a file and the folders that it leaves empty.
+void remove_with_folders(const fs::path& folder, const std::string& file) {
+  std::error_code ignored;
+  fs::remove(folder / file, ignored);
+  for (fs::path p = fs::path(file).parent_path(); !p.empty(); p = p.parent_path())
+    if (!fs::remove(folder / p, ignored)) break;
+}
+
+/// Brings whole results to their places; goes on where a killed process stopped.
+void finish_arrival(const fs::path& folder) {
+  const fs::path from = folder / arriving_name;
+  if (!fs::exists(from / manifest_name)) {  // killed at the very end, when only empty folders were left
+    std::error_code ignored;
+    fs::remove_all(from, ignored);
+    return;
+  }
+  const Manifest before = read_manifest(folder), now = read_manifest(from);
+  for (const std::string& file : now.files) {
+    if (!fs::exists(fs::symlink_status(from / file))) continue;  // is there already
+    fs::create_directories((folder / file).parent_path());
+    fs::rename(from / file, folder / file);
+  }
+  for (const std::string& file : before.files)
+    if (!now.files.contains(file)) remove_with_folders(folder, file);
+  fs::rename(from / manifest_name, folder / manifest_name);
+  fs::remove_all(from);
+}
+
+/// Empty, or the first new file for which there is no place in the folder: one of the user's has its name.
+std::string not_ours(const fs::path& folder, const std::set<std::string>& files, const Manifest& before) {
+  for (const std::string& file : files) {
+    const fs::file_status there = fs::symlink_status(folder / file);
+    if (fs::exists(there) && (!before.files.contains(file) || fs::is_directory(there))) return file;
+    for (fs::path p = fs::path(file).parent_path(); !p.empty(); p = p.parent_path())
+      if (fs::exists(fs::symlink_status(folder / p)) && !fs::is_directory(folder / p) &&
+          !before.files.contains(p.generic_string()))
+        return p.generic_string();
+  }
+  return {};
+}
+
+bool is_own_link(const fs::path& link) {
+  std::error_code none;
+  return fs::read_symlink(link, none) == fs::path(staging_name) / growing_name;
+}
+
+UserError cannot_use(const fs::path& folder, const std::error_code& why) {
+  return UserError("cannot make the folder " + folder.string() + ": " + why.message());
 }
 
 }  // namespace
 
-ResultsFolder::ResultsFolder(fs::path folder, bool overwrite) : folder_(fs::absolute(folder).lexically_normal()) {
-  if (!folder_.has_filename()) folder_ = folder_.parent_path();
+ResultsFolder::ResultsFolder(const fs::path& folder, bool overwrite, Host& host) {
   try {
-    if (holds_results(folder_, overwrite)) {
-      previous_ = folder_.string() + ".previous";
-      fs::remove_all(previous_);
-      fs::rename(folder_, previous_);
+    folder_ = fs::weakly_canonical(fs::absolute(folder));  // whatever the current folder is or becomes
+    if (!folder_.has_filename()) folder_ = folder_.parent_path();
+    work_ = folder_ / staging_name;
+    if (fs::exists(folder_) && !fs::is_directory(folder_))
+      throw UserError("cannot write results to " + folder_.string() + ": it is a file");
+    for (fs::path p = folder_; !fs::exists(p); p = p.parent_path()) made_folders_.push_back(p);
+    if (!made_folders_.empty()) fs::create_directories(folder_);
+    try {
+      lock_ = std::make_unique<FolderLock>(folder_, host);
+      if (fs::exists(folder_ / arriving_name)) finish_arrival(folder_);
+      check_place(overwrite);
+      replaces_ = read_manifest(folder_).finished;
+      make_work();
+    } catch (...) {
+      lock_.reset();
+      std::error_code ignored;
+      for (const fs::path& p : made_folders_) fs::remove(p, ignored);  // only while they are empty
+      throw;
     }
-    fs::create_directories(folder_);
-  } catch (const fs::filesystem_error& e) {
-    throw UserError("cannot make the folder " + folder_.string() + ": " + e.code().message());
+  } catch (const fs::filesystem_error& e) { throw cannot_use(fs::absolute(folder), e.code()); }
+}
+
+/// UserError when what is there must not be touched.
+void ResultsFolder::check_place(bool overwrite) const {
+  bool torso = false, others = false;
+  for (const auto& entry : fs::directory_iterator(folder_)) {
+    const std::string name = entry.path().filename().string();
+    if (name == lock_name || name == "lost+found" || (name == growing_name && is_own_link(entry.path()))) continue;
+    (name == staging_name ? torso : others) = true;
   }
+  if (!torso && !others) return;
+  if (!overwrite && others)
+    throw UserError("the folder " + folder_.string() +
+                    " already holds files; nothing was changed. Choose another with --output, or allow its results to "
+                    "be replaced with --overwrite");
+  if (torso && !fs::is_empty(work_) && !read_manifest(work_).valid)
+    throw UserError(work_.string() + " is where new results would grow, and it is not Breccia's: rename it");
+  if (!overwrite)
+    throw UserError("the folder " + folder_.string() + " holds what a run left that did not come to its end (in " +
+                    staging_name + "); nothing was changed. Choose another with --output, or allow it to be replaced " +
+                    "with --overwrite");
+  if (!others) return;
+  const Manifest m = read_manifest(folder_);
+  if (!m.valid)
+    throw UserError("the folder " + folder_.string() + " holds files that are not known to be results of Breccia (no " +
+                    manifest_name + " that lists them): nothing was changed. Choose another with --output");
+  const std::string taken = not_ours(folder_, {"curves.csv", "resolved.yaml", "run.log", "summary.json"}, m);
+  if (!taken.empty())
+    throw UserError("new results would replace " + (folder_ / taken).string() +
+                    ", which is not Breccia's: nothing was changed. Choose another folder with --output");
+}
+
+void ResultsFolder::make_work() {
+  fs::remove_all(work_);  // what a killed run left
+  fs::create_directory(work_);
+  write_manifest(work_, {}, false);
+  std::error_code ignored;
+  if (!fs::exists(fs::symlink_status(folder_ / growing_name)))
+    fs::create_symlink(fs::path(staging_name) / growing_name, folder_ / growing_name, ignored);
 }
 
 ResultsFolder::~ResultsFolder() {
-  if (kept_) return;
   std::error_code ignored;
-  const bool begun = fs::exists(folder_ / "curves.csv", ignored) || fs::exists(folder_ / "curves.csv.partial", ignored);
-  if (!begun) {
-    fs::remove_all(folder_, ignored);
-  } else if (!previous_.empty()) {
-    const fs::path failed = folder_.string() + ".failed";
-    fs::remove_all(failed, ignored);
-    fs::rename(folder_, failed, ignored);
-  }
-  if (!previous_.empty()) fs::rename(previous_, folder_, ignored);
+  if (is_own_link(folder_ / growing_name)) fs::remove(folder_ / growing_name, ignored);
+  const bool begun = fs::exists(work_ / "curves.csv", ignored) || fs::exists(work_ / growing_name, ignored);
+  if (done_ || !begun) fs::remove_all(work_, ignored);
+  lock_.reset();
+  for (const fs::path& p : made_folders_)
+    if (!fs::remove(p, ignored)) break;  // only while they are empty
 }
 
-void ResultsFolder::keep() {
-  kept_ = true;
-  std::error_code ignored;
-  if (!previous_.empty()) fs::remove_all(previous_, ignored);
+void ResultsFolder::take_over(bool finished) {
+  try {
+    const Manifest before = read_manifest(folder_);
+    std::set<std::string> files = files_in(work_);
+    const std::string taken = not_ours(folder_, files, before);
+    if (!taken.empty())
+      throw UserError("the new results have a file " + taken + ", and the one in " + folder_.string() +
+                      " is not Breccia's: it was not replaced" +
+                      (done_ ? "" : ", and the new results are in " + work_.string()));
+    if (done_) files.insert(before.files.begin(), before.files.end());
+    write_manifest(work_, files, finished);
+    if (is_own_link(folder_ / growing_name)) fs::remove(folder_ / growing_name);
+    fs::remove_all(folder_ / arriving_name);
+    fs::rename(work_, folder_ / arriving_name);  // from here on these are the results
+    finish_arrival(folder_);
+    done_ = true;
+    replaces_ = false;
+    fs::create_directory(work_);
+    write_manifest(work_, {}, false);
+  } catch (const fs::filesystem_error& e) {
+    throw UserError("cannot bring the new results to " + folder_.string() + ": " + e.code().message());
+  }
+}
+
+void complete_results(const fs::path& folder, Host& host) {
+  std::error_code none;
+  if (!fs::exists(folder / arriving_name, none)) return;
+  try {
+    const FolderLock lock(folder, host);
+    if (fs::exists(folder / arriving_name)) finish_arrival(folder);
+  } catch (const std::exception&) {}  // a run is at it, or only its owner may write there
 }
 
 }  // namespace breccia

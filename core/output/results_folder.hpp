@@ -1,28 +1,67 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The folder of one run.
+/// The folder of one run: whose it is, who writes into it now, and when new results take the place of old ones.
 #pragma once
 
 #include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "breccia/services.hpp"
 
 namespace breccia {
 
-/// An empty folder for a run. What an earlier run left there is never touched unless `overwrite`; then it is set aside
-/// and goes only once the new run has ended (`keep`). If that fails instead, the earlier results come back and what
-/// there is of the new ones is left in `<folder>.failed`; without earlier results, a folder in which no curves were
-/// begun is removed. UserError when the folder cannot be used.
-class ResultsFolder {
+/// A folder closed to other processes until this object goes. The lock is the system's, so that it ends with the
+/// process whatever ends that; the file `.breccia.lock` says who has it. Where the file system has no locks: a warning.
+class FolderLock {
  public:
-  ResultsFolder(std::filesystem::path folder, bool overwrite);
-  ResultsFolder(const ResultsFolder&) = delete;
-  ResultsFolder& operator=(const ResultsFolder&) = delete;
-  ~ResultsFolder();
-
-  const std::filesystem::path& path() const { return folder_; }
-  void keep();
+  /// The folder exists. UserError with the other's process and host when another has it, or nothing can be written.
+  FolderLock(const std::filesystem::path& folder, Host& host);
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+  ~FolderLock();
 
  private:
-  std::filesystem::path folder_, previous_;  ///< previous_ is empty when there were no results before
-  bool kept_ = false;
+  std::filesystem::path name_;
+  int file_ = -1;
 };
+
+/// Where a run leaves its results. What is there already is touched only with `overwrite`, and of that only what
+/// Breccia wrote: `breccia.json`, the manifest, lists it.
+///
+/// Results grow in `<folder>/unfinished` and take the place of others when they are whole; until then, through any
+/// number of kills and failures, the earlier ones stay as they are. The change itself is a rename after which the new
+/// ones are the results: a kill in the middle is made good by the next run in the folder (`complete_results`). Links
+/// and mount points stay, as the folder itself is never moved. While the run goes, the link `curves.csv.partial` leads
+/// to the curves that grow.
+class ResultsFolder {
+ public:
+  /// UserError when the folder cannot be used; then nothing has been changed.
+  ResultsFolder(const std::filesystem::path& folder, bool overwrite, Host& host);
+  ResultsFolder(const ResultsFolder&) = delete;
+  ResultsFolder& operator=(const ResultsFolder&) = delete;
+  /// Without `take_over`: if no curves were begun, all is as before; else what there is of them stays in `work`.
+  ~ResultsFolder();
+
+  const std::filesystem::path& path() const { return folder_; }  ///< absolute
+  const std::filesystem::path& work() const { return work_; }    ///< where files are to be written now
+  /// What is in `work` now is whole: it takes the place of earlier results, or is added to those that this object has
+  /// brought before (pictures). `finished`: these are to survive until others have finished, too. UserError, with all
+  /// left as it was, if a file of the user's would be replaced.
+  void take_over(bool finished);
+  bool replaces_finished() const { return replaces_; }  ///< earlier whole results are there, and not yet replaced
+
+ private:
+  void check_place(bool overwrite) const;
+  void make_work();
+  std::filesystem::path folder_, work_;
+  bool replaces_ = false, done_ = false;
+  std::vector<std::filesystem::path> made_folders_;
+  std::unique_ptr<FolderLock> lock_;
+};
+
+/// Makes good what a kill has left half-way between old and new results; nothing if there is no such thing, or if a run
+/// is at it. For those who read a folder.
+void complete_results(const std::filesystem::path& folder, Host& host);
 
 }  // namespace breccia

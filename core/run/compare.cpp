@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "output/atomic_file.hpp"
+#include "output/results_folder.hpp"
 
 namespace breccia {
 
@@ -126,6 +127,7 @@ std::vector<fs::path> compare_runs(const std::vector<ComparedRun>& runs, const C
   const bool is_new = fs::create_directories(options.folder, error);
   if (error) throw UserError("cannot make the folder " + options.folder.string() + ": " + error.message());
   try {
+    const FolderLock lock(options.folder, host);
     std::vector<fs::path> made = draw(runs, options, registry, host);
     const auto envelope = strength_envelope(runs);
     const std::string text = comparison_markdown(runs, made) + (envelope ? strength_markdown(*envelope) : "");

@@ -47,7 +47,8 @@ class Run {
     loop();
     finish();
     write_summary(seconds_since(start));  // whole before the pictures, which may take long or be interrupted
-    draw();
+    const std::filesystem::path results = options_.whole ? options_.whole(interrupted_) : options_.folder;
+    draw(results);
     write_summary(seconds_since(start));
     return {summary_.json(), interrupted_};
   }
@@ -235,10 +236,16 @@ class Run {
     return 1 - solid_volume(packing_.particles.radius, int(w_.dimension), w_.thickness) / container;
   }
 
-  void draw() {
+  /// Pictures of the results in that folder. Nothing that happens here loses the run.
+  void draw(const std::filesystem::path& results) {
     if (w_.renderers.empty()) return;
-    const auto made = render_all(w_.renderers, registry_, {options_.folder, options_.folder}, monitor_);
-    for (const auto& file : made) monitor_.info("picture " + file.string());
+    try {
+      for (const auto& file : render_all(w_.renderers, registry_, {results, options_.folder}, monitor_))
+        monitor_.info("picture " + file.filename().string());
+    } catch (const Cancelled&) {
+      monitor_.warn("stopped on request before all pictures were drawn: `breccia render` draws them");
+      interrupted_ = true;
+    }
   }
 
   const Workflow& w_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
 #include "breccia/services.hpp"
 #include "run/workflow.hpp"
@@ -27,8 +28,11 @@ class RunMonitor : public Host {
 };
 
 struct RunOptions {
-  std::filesystem::path folder;         ///< exists and is empty
+  std::filesystem::path folder;         ///< exists; all files are written here
   std::filesystem::path packing_cache;  ///< empty: packings are not kept
+  /// Called when all but the pictures is written, with whether the run was stopped on request; may take the files away
+  /// to where they belong. Returns where they are now. Optional.
+  std::function<std::filesystem::path(bool interrupted)> whole = {};
 };
 
 struct RunOutcome {

@@ -5,6 +5,7 @@
 
 #include "config/reader.hpp"
 #include "config/suggest.hpp"
+#include "run/result_name.hpp"
 
 namespace breccia {
 
@@ -98,10 +99,6 @@ std::string shown_file(const fs::path& study, const YamlNode& node) {
   return (study.parent_path() / node.text).lexically_normal().string();
 }
 
-bool is_file_name(const std::string& name) {
-  return !name.empty() && name[0] != '.' && name.find('/') == name.npos && name.size() < 200;
-}
-
 /// What the schema cannot say of a study.
 class Checker {
  public:
@@ -125,6 +122,15 @@ class Checker {
       loaded_.workflow_names.push_back(name.text);
       add_workflow(*all.items[k]->find("file")->value);
     }
+  }
+
+  /// That of the study itself: of its folder below results/.
+  void name() {
+    const std::string why = why_not_a_file_name(loaded_.study.name);
+    if (why.empty()) return;
+    const YamlEntry* given = tree_.find("name");
+    findings_.push_back({given ? given->value->place : tree_.place, "name",
+                         "`" + loaded_.study.name + "` cannot be the name of the result folder, it " + why});
   }
 
   void fixed() {
@@ -159,7 +165,7 @@ class Checker {
       check_term(*item.find("y")->value, path + ".y", true);
       if (const YamlEntry* series = item.find("series")) check_parameter(*series->value, path + ".series");
       const std::string name = loaded_.study.charts[k++].file_name();
-      if (!is_file_name(name))
+      if (!why_not_a_file_name(name).empty())
         report(item, path, "`" + name + "` cannot be a file name; give the chart another `name`");
       if (std::find(files.begin(), files.end(), name) != files.end())
         report(item, path, "a second chart named `" + name + "`; give one of them another `name`");
@@ -260,6 +266,7 @@ LoadedStudy load_study(const fs::path& file, const Registry& registry) {
   loaded.parameters = std::move(design.parameters);
   loaded.points = std::move(design.points);
   Checker checker(loaded, file, findings);
+  checker.name();
   checker.workflows();
   checker.fixed();
   if (!findings.empty()) refuse(std::move(findings), chain.files);

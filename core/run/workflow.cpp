@@ -9,6 +9,7 @@
 #include "breccia/renderer.hpp"
 #include "config/reader.hpp"
 #include "run/plugin_section.hpp"
+#include "run/result_name.hpp"
 
 namespace breccia {
 
@@ -164,13 +165,36 @@ void try_plugins(const Workflow& w, const Registry& registry) {
   for (const PluginChoice& c : w.renderers) registry.create<Renderer>(c);
 }
 
-LoadedWorkflow loaded_from(Json config, const fs::path& file, const Registry& registry,
-                           const std::string& variant = {}) {
+/// The results go into a folder of that name below results/, and nowhere else.
+void check_name(const std::string& name, const BaseChain& chain, const std::vector<std::string>& overrides) {
+  const std::string why = why_not_a_file_name(name);
+  if (why.empty()) return;
+  Problem problem{chain.files[0].name, 1, 1, "name",
+                  "`" + name + "` cannot be the name of the result folder, it " + why};
+  for (std::size_t k = chain.files.size(); k-- > 0;)  // the workflow's own name goes before those of its bases
+    if (const YamlEntry* given = chain.files[k].tree ? chain.files[k].tree->find("name") : nullptr) {
+      problem.file = chain.files[k].name;
+      problem.line = given->value->place.line;
+      problem.column = given->value->place.column;
+    }
+  for (std::size_t k = 0; k < overrides.size(); ++k)
+    if (overrides[k].starts_with("name=")) {
+      problem.file = "--set";
+      problem.line = int(k) + 1;
+      problem.column = 6;
+    }
+  throw ConfigError({problem});
+}
+
+LoadedWorkflow loaded_from(Json config, const BaseChain& chain, const Registry& registry,
+                           const std::vector<std::string>& overrides = {}, const std::string& variant = {}) {
+  const fs::path file = chain.files[0].name;
   LoadedWorkflow loaded;
   loaded.config = std::move(config);
   loaded.config.erase("variants");
   if (loaded.config["name"] == "") loaded.config["name"] = file.stem().string();
   if (!variant.empty()) loaded.config["name"] = loaded.config["name"].get<std::string>() + "_" + variant;
+  check_name(loaded.config["name"], chain, overrides);
   Schema<Workflow> schema;
   Workflow::describe(schema);
   loaded.workflow = schema.load(loaded.config);
@@ -201,11 +225,12 @@ LoadedWorkflow load_workflow(const fs::path& file, const std::vector<std::string
                              const std::string& variant) {
   const BaseChain chain = not_a_study(follow_bases(read_text(file), file.string()), file);
   for (const fs::path& path : plugin_paths(chain)) registry.add(path);
-  return loaded_from(read_config(chain, workflow_schema(), registry, overrides, {}, variant), file, registry, variant);
+  return loaded_from(read_config(chain, workflow_schema(), registry, overrides, {}, variant), chain, registry,
+                     overrides, variant);
 }
 
 LoadedWorkflow load_workflow(const BaseChain& chain, const ValuesOnTop& on_top, const Registry& registry) {
-  return loaded_from(read_config(chain, workflow_schema(), registry, on_top), chain.files[0].name, registry);
+  return loaded_from(read_config(chain, workflow_schema(), registry, on_top), chain, registry);
 }
 
 }  // namespace breccia
