@@ -9,6 +9,8 @@
 #include <csignal>
 #include <cstdio>
 
+#include "breccia/utf8.hpp"
+
 namespace breccia::cli {
 namespace {
 
@@ -63,18 +65,18 @@ void Console::clear_bar() {
 
 void Console::info(std::string_view text) {
   clear_bar();
-  fmt::print(stderr, "{}\n", text);
-  if (file_) file_->info("{}", text);
+  fmt::print(stderr, "{}\n", printable(text));
+  if (file_) file_->info("{}", printable(text));
 }
 
 void Console::log_only(const std::string& text) {
-  if (file_) file_->error("{}", text);
+  if (file_) file_->error("{}", printable(text));
 }
 
 void Console::warn(std::string_view text) {
   clear_bar();
-  fmt::print(stderr, "warning: {}\n", text);
-  if (file_) file_->warn("{}", text);
+  fmt::print(stderr, "warning: {}\n", printable(text));
+  if (file_) file_->warn("{}", printable(text));
 }
 
 void Console::draw(const std::string& text) {

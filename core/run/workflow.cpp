@@ -7,6 +7,7 @@
 #include "breccia/postprocessor.hpp"
 #include "breccia/protocol.hpp"
 #include "breccia/renderer.hpp"
+#include "breccia/utf8.hpp"
 #include "config/reader.hpp"
 #include "run/plugin_section.hpp"
 
@@ -169,7 +170,7 @@ LoadedWorkflow loaded_from(Json config, const fs::path& file, const Registry& re
   LoadedWorkflow loaded;
   loaded.config = std::move(config);
   loaded.config.erase("variants");
-  if (loaded.config["name"] == "") loaded.config["name"] = file.stem().string();
+  if (loaded.config["name"] == "") loaded.config["name"] = valid_utf8(file.stem().string());
   if (!variant.empty()) loaded.config["name"] = loaded.config["name"].get<std::string>() + "_" + variant;
   Schema<Workflow> schema;
   Workflow::describe(schema);

@@ -6,9 +6,7 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
-#include <fstream>
-
-#include "breccia/error.hpp"
+#include "breccia/atomic_file.hpp"
 
 namespace breccia::pictures {
 namespace fs = std::filesystem;
@@ -38,20 +36,6 @@ void average_down(vtkImageData* large, vtkImageData* small, int factor) {
 
 }  // namespace
 
-fs::path unfinished(const fs::path& file) { return file.string() + ".part"; }
-
-void cannot_write(const fs::path& file, const std::string& why) {
-  std::error_code ignored;
-  fs::remove(unfinished(file), ignored);
-  throw UserError("renderer pictures: cannot write " + file.string() + ": " + why);
-}
-
-void give_final_name(const fs::path& file) {
-  std::error_code error;
-  fs::rename(unfinished(file), file, error);
-  if (error) cannot_write(file, error.message());
-}
-
 Canvas::Canvas(int width, int height, const Vec3& background)
     : width_(width), height_(height), window_(EglWindow::create(width * oversampling, height * oversampling)) {
   renderer_->SetBackground(background.data());
@@ -69,15 +53,10 @@ void Canvas::save(const fs::path& file) {
   average_down(grab->GetOutput(), picture, oversampling);
   vtkNew<vtkPNGWriter> png;
   png->SetInputData(picture);
-  png->WriteToMemoryOn();  // so that the stream below tells whether the disk took it all
+  png->WriteToMemoryOn();
   png->Write();
-  const vtkUnsignedCharArray* bytes = png->GetResult();
-  std::ofstream out(unfinished(file), std::ios::binary);
-  out.write(reinterpret_cast<const char*>(const_cast<vtkUnsignedCharArray*>(bytes)->GetPointer(0)),
-            std::streamsize(bytes->GetNumberOfValues()));
-  out.close();
-  if (!out) cannot_write(file, "the disk is full or the folder cannot be written");
-  give_final_name(file);
+  vtkUnsignedCharArray* bytes = png->GetResult();
+  write_file(file, {reinterpret_cast<const char*>(bytes->GetPointer(0)), std::size_t(bytes->GetNumberOfValues())});
 }
 
 }  // namespace breccia::pictures

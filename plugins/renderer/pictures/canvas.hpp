@@ -34,9 +34,4 @@ class Canvas {
   vtkNew<vtkRenderer> renderer_;
 };
 
-/// Gives a file that was written as `unfinished(file)` its name. UserError when the disk refuses.
-std::filesystem::path unfinished(const std::filesystem::path& file);
-void give_final_name(const std::filesystem::path& file);
-[[noreturn]] void cannot_write(const std::filesystem::path& file, const std::string& why);
-
 }  // namespace breccia::pictures

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <numeric>
+#include <sstream>
 
-#include "breccia/error.hpp"
+#include "breccia/text_file.hpp"
 
 namespace breccia::pictures {
 namespace {
@@ -17,7 +17,7 @@ std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> cells(1);
   for (const char c : line) {
     if (c == ',') cells.emplace_back();
-    else if (c != '\r' && c != '"') cells.back() += c;
+    else if (c != '"') cells.back() += c;
   }
   return cells;
 }
@@ -49,13 +49,13 @@ std::size_t edits(const std::string& a, const std::string& b) {
 }  // namespace
 
 CurvesFile::CurvesFile(const std::filesystem::path& file) : file_(file) {
-  std::ifstream in(file);
+  std::istringstream in(read_text_file(file));
   std::string line;
-  if (!in || !std::getline(in, line)) throw UserError("renderer pictures: cannot read " + file.string());
+  if (!std::getline(in, line)) throw UserError("renderer pictures: " + file.string() + " is empty");
   headers_ = split(line);
   for (const std::string& h : headers_) curves_.push_back(curve_named(h));
   for (std::size_t number = 2; std::getline(in, line); ++number) {
-    if (line.empty() || line == "\r") continue;
+    if (line.empty()) continue;
     const auto cells = split(line);
     const auto where = [&] {
       return "renderer pictures: " + file.string() + ", line " + std::to_string(number) + ": ";

@@ -2,6 +2,7 @@
 /// Pictures of a finished run, drawn from its files on any machine: no display, no graphics card.
 #include <algorithm>
 
+#include "breccia/atomic_file.hpp"
 #include "breccia/renderer.hpp"
 #include "chart_pictures.hpp"
 #include "comparison.hpp"
@@ -151,7 +152,7 @@ class Pictures final : public Renderer {
       const PictureConfig& picture = config_.pictures[k];
       try {
         draw(picture, results, request.directory, made);
-      } catch (const UserError& e) {
+      } catch (const CannotWrite&) { throw; } catch (const UserError& e) {
         last_problem = "picture `" + file_name(picture) + "` was not made: " + e.what();
         host.warn(last_problem);
       }
