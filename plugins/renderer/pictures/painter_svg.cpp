@@ -62,9 +62,9 @@ class SvgPainter final : public Painter {
             bool upright) override {
     constexpr const char* names[] = {"start", "middle", "end"};
     out_ << "<text transform=\"translate(" << number(at.x()) << " " << number(height_ - at.y()) << ")"
-         << (upright ? " rotate(-90)" : "") << "\" y=\"" << number(0.36 * size) << "\" font-size=\"" << number(size)
-         << "\" text-anchor=\"" << names[int(anchor)] << "\" fill=\"" << hex(colour) << "\">" << escaped(what)
-         << "</text>\n";
+         << (upright ? " rotate(-90)" : "") << "\" y=\"" << number(middle_of_type * size) << "\" font-size=\""
+         << number(size) << "\" text-anchor=\"" << names[int(anchor)] << "\" fill=\"" << hex(colour) << "\">"
+         << escaped(what) << "</text>\n";
   }
 
  private:
