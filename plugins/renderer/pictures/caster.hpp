@@ -66,8 +66,8 @@ inline float shadow_of_sphere(float distance, float cosine) {
   const float over = cosine * distance, square = distance * distance;
   if (over >= 1) return cosine / square;
   if (over <= -1) return 0;
-  const float t = 0.5f * (1 + over), near = 1 / distance;
-  return near * near * near * t * (near + (1 - near) * t);
+  const float t = 0.5f * (1 + over), near = 1 / square, touching = near * near * near * near;
+  return near / distance * t * (touching + (1 - touching) * t);
 }
 
 }  // namespace breccia::pictures
