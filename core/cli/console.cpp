@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <ctime>
 
+#include "breccia/utf8.hpp"
+
 namespace breccia::cli {
 namespace {
 
@@ -85,18 +87,18 @@ void Console::clear_bar() {
 
 void Console::info(std::string_view text) {
   clear_bar();
-  say(fmt::format("{}\n", text));
-  if (file_) file_->info("{}", text);
+  say(fmt::format("{}\n", printable(text)));
+  if (file_) file_->info("{}", printable(text));
 }
 
 void Console::log_only(const std::string& text) {
-  if (file_) file_->error("{}", text);
+  if (file_) file_->error("{}", printable(text));
 }
 
 void Console::warn(std::string_view text) {
   clear_bar();
-  say(fmt::format("warning: {}\n", text));
-  if (file_) file_->warn("{}", text);
+  say(fmt::format("warning: {}\n", printable(text)));
+  if (file_) file_->warn("{}", printable(text));
 }
 
 void Console::draw(const std::string& text) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "breccia/text_file.hpp"
 #include "cli/console.hpp"
 #include "cli/renderer_settings.hpp"
 #include "cli/verbs.hpp"
@@ -27,7 +28,7 @@ struct PairConfig {
 
 bool is_workflow(const std::string& target) {
   const fs::path path = target;
-  return fs::exists(path) || path.has_parent_path() || path.extension() == ".yaml" || path.extension() == ".yml";
+  return fs::exists(path) || path.has_parent_path() || has_ending(path, ".yaml") || has_ending(path, ".yml");
 }
 
 PairConfig read_target(const DriveArguments& a, Registry& registry) {

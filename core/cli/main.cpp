@@ -2,7 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "breccia/error.hpp"
+#include "breccia/utf8.hpp"
 #include "cli/verbs.hpp"
 
 namespace {
@@ -52,6 +52,7 @@ int dispatch(int argc, char** argv) {
   verb = app.add_subcommand("render", "Make pictures from the files of a run");
   verb->add_option("SOURCE", render.source, "result folder, .pvd or .vtp file")->required();
   verb->add_option("--output", render.output, "folder of the pictures; default: beside the source");
+  verb->add_flag("--overwrite", render.overwrite, "replace pictures of the same names");
   verb->add_option("--renderer", render.renderer, "renderer plugin");
   verb->add_option("--set", render.overrides, "replace a setting of the renderer: path=value")->expected(1)->take_all();
   verb->callback([&] { code = cli::render(render); });
@@ -161,13 +162,13 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "breccia: stopped on request\n");
     return cli::interrupted;
   } catch (const UserError& e) {
-    std::fprintf(stderr, "%s\n", e.what());
+    std::fprintf(stderr, "%s\n", printable(e.what()).c_str());
     return cli::bad_input;
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "breccia: not enough memory\n");
     return cli::failure;
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "breccia: %s\n", e.what());
+    std::fprintf(stderr, "breccia: %s\n", printable(e.what()).c_str());
     return cli::failure;
   }
 }

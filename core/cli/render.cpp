@@ -3,9 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "cli/console.hpp"
 #include "cli/renderer_settings.hpp"
 #include "cli/verbs.hpp"
@@ -38,11 +35,9 @@ int render(const RenderArguments& a) {
                           : fs::is_directory(a.source) ? a.source
                                                        : fs::absolute(a.source).parent_path();
   const PluginChoice choice = settings(a, registry);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw UserError("cannot make the folder " + folder.string() + ": " + error.message());
-  const FolderLock lock(folder, console);
-  const auto made = render_all({choice}, registry, {a.source, folder}, console);
+  std::optional<FolderLock> lock;  // a folder that is yet to be made has no run in it
+  if (fs::is_directory(folder)) lock.emplace(folder, console);
+  const auto made = render_apart(choice, registry, {a.source, folder}, a.overwrite, console);
   for (const fs::path& file : made) console.info("picture " + file.string());
   return made.empty() ? failure : ok;
 }

@@ -22,6 +22,7 @@ struct RenderArguments {
   std::filesystem::path source, output;
   std::string renderer = "pictures";
   std::vector<std::string> overrides;
+  bool overwrite = false;
 };
 
 struct CompareArguments {

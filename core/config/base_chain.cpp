@@ -2,10 +2,9 @@
 #include "config/base_chain.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
-#include "breccia/error.hpp"
+#include "breccia/text_file.hpp"
+#include "config/yaml_text.hpp"
 
 namespace breccia {
 
@@ -31,12 +30,7 @@ std::string circle(const std::vector<InputFile>& files, std::size_t first) {
 std::string read_text(const fs::path& file) {
   std::error_code error;  // of paths that are too long, say: opening fails for them as well
   if (fs::is_directory(file, error)) throw UserError(file.string() + " is a folder; a workflow file is needed");
-  std::ifstream in(file, std::ios::binary);
-  if (!in)
-    throw UserError("cannot read " + file.string() + (fs::exists(file, error) ? ": no permission" : ": no such file"));
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
+  return read_bytes(file, max_workflow_bytes + 1);  // one more tells that there is too much
 }
 
 BaseChain single_file(const std::string& yaml_text, const std::string& file_name, const std::string& what) {

@@ -116,6 +116,8 @@ Json SectionReader::read_integer(const ParamSpec& spec, const YamlNode& node, co
     report(node.place, site.path, in_ticks(node.text) + " " + why);
     return nullptr;
   };
+  constexpr const char* too_large =
+      "is too large for a whole number: the largest is 9223372036854775807, in digits alone";
   const auto number = scan_decimal(node.text);
   if (!node.plain) return refuse("is a text because of its quotes; a whole number stands without them");
   if (!number || number->length != node.text.size()) return refuse("is not a whole number");
@@ -126,10 +128,10 @@ Json SectionReader::read_integer(const ParamSpec& spec, const YamlNode& node, co
   if (value.is_number_float()) {
     const double x = value.get<double>();
     if (std::floor(x) != x) return refuse("is not a whole number");
-    if (std::abs(x) > 9007199254740992.0) return refuse("is too large for a whole number");
+    if (std::abs(x) > 9007199254740992.0) return refuse(too_large);
     whole = std::int64_t(x);
-  } else if (!value.is_number()) {
-    return refuse("is too large for a whole number");
+  } else if (!value.is_number() || value.is_number_unsigned()) {  // unsigned: above what a signed one holds
+    return refuse(too_large);
   }
   const auto text = [](const Bound& bound) { return format_number(bound.value); };
   if (const std::string problem = range_problem(spec, whole.get<double>(), node.text, text); !problem.empty())

@@ -3,7 +3,7 @@
 
 #include <cctype>
 
-#include "config/utf8.hpp"
+#include "breccia/utf8.hpp"
 
 namespace breccia {
 

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cstring>
 
+#include "breccia/utf8.hpp"
 #include "config/to_yaml.hpp"
 
 namespace breccia {
@@ -25,7 +26,7 @@ bool is_plain_text(const std::string& text) {
   return true;
 }
 
-std::string in_ticks(const std::string& text) { return Json(text).dump(); }
+std::string in_ticks(const std::string& text) { return json_text(text); }
 
 std::string scalar_text(const YamlNode& node) {
   return node.plain || is_plain_text(node.text) ? node.text : in_ticks(node.text);

@@ -3,35 +3,11 @@
 
 #include <algorithm>
 
-#include "config/utf8.hpp"
+#include "breccia/text_file.hpp"
 
 namespace breccia {
 
 namespace {
-
-/// The first character that may not be there.
-bool check_characters(const SourceText& source, std::vector<Finding>& findings) {
-  const std::string_view text = source.text();
-  for (std::size_t at = 0; at < text.size();) {
-    const unsigned char c = static_cast<unsigned char>(text[at]);
-    const std::size_t length = utf8_length(text.substr(at));
-    if (length == 0) {
-      findings.push_back({source.place(at), "", "the text is not UTF-8 here; save the file as UTF-8"});
-      return false;
-    }
-    if (c == 0) {
-      findings.push_back({source.place(at), "", "a zero byte: the file is not a text in UTF-8"});
-      return false;
-    }
-    const bool lone_return = c == '\r' && (at + 1 == text.size() || text[at + 1] != '\n');
-    if (lone_return || (c < 0x20 && c != '\t' && c != '\n' && c != '\r')) {
-      findings.push_back({source.place(at), "", "a control character that YAML does not allow; delete it"});
-      return false;
-    }
-    at += length;
-  }
-  return true;
-}
 
 bool check_indentation(const SourceText& source, std::vector<Finding>& findings) {
   const std::size_t lines = source.line_of(source.text().size()) + 1;
@@ -61,7 +37,6 @@ std::string_view SourceText::line(std::size_t number) const {
   if (number >= starts_.size()) return {};
   const std::size_t from = starts_[number], end = number + 1 < starts_.size() ? starts_[number + 1] - 1 : text_.size();
   std::string_view line = text_.substr(from, end - from);
-  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
   return line;
 }
 
@@ -83,12 +58,11 @@ bool check_text(const SourceText& source, std::vector<Finding>& findings) {
                         "belong in files of their own"});
     return false;
   }
-  const std::string_view start = source.text().substr(0, 2);
-  if (start == "\xFE\xFF" || start == "\xFF\xFE") {
-    findings.push_back({source.place(0), "", "the file is UTF-16; save it as UTF-8"});
+  if (const auto fault = text_fault(source.text())) {
+    findings.push_back({source.place(fault->at), "", fault->what});
     return false;
   }
-  return check_characters(source, findings) && check_indentation(source, findings);
+  return check_indentation(source, findings);
 }
 
 }  // namespace breccia

@@ -9,6 +9,7 @@
 #include <map>
 #include <sstream>
 
+#include "breccia/text_file.hpp"
 #include "config/number.hpp"
 #include "config/yaml_syntax.hpp"
 #include "config/yaml_text.hpp"
@@ -230,8 +231,8 @@ const YamlEntry* YamlNode::find(std::string_view key) const {
   return nullptr;
 }
 
-YamlPtr parse_yaml(std::string_view text, Place origin, std::vector<Finding>& findings) {
-  if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
+YamlPtr parse_yaml(std::string_view given, Place origin, std::vector<Finding>& findings) {
+  const std::string text = plain_lines(given);
   const SourceText source(text, origin);
   if (!check_text(source, findings)) return nullptr;
   try {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "breccia/utf8.hpp"
 #include "output/atomic_file.hpp"
 #include "output/curve_table.hpp"
 
@@ -43,7 +44,7 @@ void SummaryTable::write(const std::filesystem::path& folder) const {
     }
     write_file(folder / "tables" / (table.name + ".csv"), text + "\n");
   }
-  write_file(folder / "summary.json", json_.dump(2) + "\n");
+  write_file(folder / "summary.json", json_text(json_, 2) + "\n");
 }
 
 }  // namespace breccia

@@ -2,8 +2,8 @@
 #include "run/compare.hpp"
 
 #include <algorithm>
-#include <fstream>
 
+#include "breccia/text_file.hpp"
 #include "output/atomic_file.hpp"
 #include "output/results_folder.hpp"
 
@@ -30,9 +30,7 @@ Json read_summary(const fs::path& folder) {
     throw UserError(name + " is not the result folder of a run: it has no summary.json");
   }
   if (!fs::exists(folder / "curves.csv")) throw UserError(name + " is not a whole result folder: it has no curves.csv");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw UserError("cannot read " + file.string() + ": no permission");
-  const Json summary = Json::parse(in, nullptr, false);
+  const Json summary = Json::parse(read_bytes(file), nullptr, false);
   if (!summary.is_object()) throw UserError(file.string() + " is damaged: it is not a JSON object");
   return summary;
 }
@@ -135,7 +133,7 @@ std::vector<fs::path> compare_runs(const std::vector<ComparedRun>& runs, const C
     write_file(options.folder / "comparison.md", text);
     made.insert(made.begin(), {options.folder / "comparison.csv", options.folder / "comparison.md"});
     if (envelope) {
-      write_file(options.folder / "strength_envelope.json", envelope->dump(2) + "\n");
+      write_file(options.folder / "strength_envelope.json", json_text(*envelope, 2) + "\n");
       made.insert(made.begin() + 2, options.folder / "strength_envelope.json");
     }
     return made;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "breccia/utf8.hpp"
 #include "run/compare.hpp"
 #include "run/summary_keys.hpp"
 
@@ -120,7 +121,7 @@ std::string comparison_csv(const std::vector<ComparedRun>& runs) {
     text.append("\n").append(csv_cell(runs[k].label));
     for (const std::string& key : keys) {
       const auto it = std::find_if(rows[k].begin(), rows[k].end(), [&](const auto& cell) { return cell.first == key; });
-      text.append(",").append(it == rows[k].end() || it->second.is_null() ? "" : it->second.dump());
+      text.append(",").append(it == rows[k].end() || it->second.is_null() ? "" : json_text(it->second));
     }
   }
   return text + "\n";

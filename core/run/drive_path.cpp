@@ -6,8 +6,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "breccia/error.hpp"
-#include "config/base_chain.hpp"
+#include "breccia/text_file.hpp"
 #include "config/suggest.hpp"
 
 namespace breccia {
@@ -27,8 +26,8 @@ std::vector<std::string> cells_of(std::string line) {
   std::vector<std::string> cells;
   std::istringstream in(line + ",");
   for (std::string cell; std::getline(in, cell, ',');) {
-    const auto first = cell.find_first_not_of(" \t\r");
-    cells.push_back(first == cell.npos ? "" : cell.substr(first, cell.find_last_not_of(" \t\r") - first + 1));
+    const auto first = cell.find_first_not_of(" \t");
+    cells.push_back(first == cell.npos ? "" : cell.substr(first, cell.find_last_not_of(" \t") - first + 1));
   }
   return cells;
 }
@@ -38,7 +37,7 @@ class PathReader {
   explicit PathReader(const std::filesystem::path& file) : file_(file) {}
 
   DrivePath operator()() {
-    std::istringstream in(read_text(file_));
+    std::istringstream in(read_text_file(file_));
     path_.points.emplace_back();
     for (std::string line; std::getline(in, line);) {
       ++line_;

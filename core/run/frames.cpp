@@ -1,7 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/frames.hpp"
 
+#include <cmath>
+
 namespace breccia {
+
+double next_due(double now, double interval) {
+  double count = std::floor(now / interval) + 1;
+  if (count * interval <= now) ++count;  // rounding
+  const double next = count * interval;
+  // Shorter than what moves the time at all: a frame whenever it is asked.
+  return std::isfinite(count) && next > now ? next : now;
+}
 
 Frames::Frames(std::vector<std::unique_ptr<Output>> outputs,
                const std::vector<std::unique_ptr<Postprocessor>>& postprocessors)
@@ -24,7 +34,7 @@ void Frames::at(const SimulationView& view, bool forced) {
     }
     s.output->frame(view, fields);
     s.last = view.time;
-    while (s.next <= view.time) s.next += s.output->interval();
+    s.next = next_due(view.time, s.output->interval());
   }
 }
 

@@ -10,6 +10,10 @@
 
 namespace breccia {
 
+/// The first whole multiple of `interval` after `now` [s]; an interval that is too short to move the time: `now`, so
+/// that every later sample has a frame.
+double next_due(double now, double interval);
+
 class Frames {
  public:
   Frames(std::vector<std::unique_ptr<Output>> outputs,

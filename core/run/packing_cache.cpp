@@ -8,11 +8,10 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <random>
 #include <thread>
 
+#include "breccia/text_file.hpp"
 #include "output/atomic_file.hpp"
 #include "plugin/sha256.hpp"
 
@@ -23,9 +22,14 @@ namespace fs = std::filesystem;
 
 std::string hash_text(const std::string& text) { return sha256(std::as_bytes(std::span(text))); }
 
-std::string file_content(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+/// For the hash alone. A name in a configuration need not be UTF-8, which JSON's text must be.
+std::string key_text(const Json& key) {
+  try {
+    return key.dump();
+  } catch (const Json::type_error&) {
+    const std::vector<std::uint8_t> bytes = Json::to_cbor(key);
+    return {bytes.begin(), bytes.end()};
+  }
 }
 
 Json to_json(const PackedParticles& p) {
@@ -73,11 +77,21 @@ std::string content_hash(const PackedParticles& p) {
 
 /// CBOR keeps every bit of a number and is quick; the hash of the body in front tells a damaged file.
 std::optional<PackedParticles> read_cached(const fs::path& file, Host& host) {
-  if (!fs::exists(file)) return std::nullopt;
-  const std::string all = file_content(file);
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (status.type() == fs::file_type::not_found) return std::nullopt;
+  if (status.type() != fs::file_type::regular) {  // reading a pipe would wait for ever
+    host.warn("the cached packing " + file.string() + " cannot be read (" +
+              (error ? error.message() : "it is no file") + "): the packing is made anew");
+    return std::nullopt;
+  }
   try {
+    const std::string all = read_bytes(file);
     if (all.size() < 64 || all.substr(0, 64) != hash_text(all.substr(64))) throw std::runtime_error("damaged");
     return from_json(Json::from_cbor(all.substr(64)));
+  } catch (const UserError& e) {
+    host.warn(std::string(e.what()) + ": the packing is made anew");
+    return std::nullopt;
   } catch (const std::exception&) {
     host.warn("the cached packing " + file.string() + " is damaged and is made anew");
     return std::nullopt;
@@ -85,15 +99,20 @@ std::optional<PackedParticles> read_cached(const fs::path& file, Host& host) {
 }
 
 void write_cached(const fs::path& file, const PackedParticles& p, Host& host) {
+  // Under a name of its own first: other processes may be writing the same packing.
+  const fs::path own = file.string() + "." + std::to_string(std::random_device()()) + std::to_string(getpid());
   try {
-    fs::create_directories(file.parent_path());
+    std::error_code error;
+    fs::create_directories(file.parent_path(), error);
+    if (error) throw UserError("cannot make the folder " + file.parent_path().string() + ": " + error.message());
     const std::vector<std::uint8_t> body = Json::to_cbor(to_json(p));
     const std::string text(body.begin(), body.end());
-    // Under a name of its own first: other processes may be writing the same packing.
-    const fs::path own = file.string() + "." + std::to_string(std::random_device()()) + std::to_string(getpid());
     write_file(own, hash_text(text) + text);
-    fs::rename(own, file);
+    fs::rename(own, file, error);
+    if (error) throw UserError("cannot write " + file.string() + ": " + error.message());
   } catch (const std::exception& e) {
+    std::error_code ignored;
+    fs::remove(own, ignored);
     host.warn(std::string("the packing was not kept for the next run: ") + e.what());
   }
 }
@@ -150,9 +169,9 @@ PackingOutcome obtain_packing(const Registry& registry, const PluginChoice& choi
               {"seed", request.seed},
               {"dimension", request.dimension},
               {"thickness", request.thickness}};
-  for (const fs::path& input : packing->inputs()) key["inputs"].push_back(hash_text(file_content(input)));
+  for (const fs::path& input : packing->inputs()) key["inputs"].push_back(hash_text(read_bytes(input)));
   const fs::path file =
-      cache_folder.empty() ? fs::path() : cache_folder / "packings" / (hash_text(key.dump()) + ".cbor");
+      cache_folder.empty() ? fs::path() : cache_folder / "packings" / (hash_text(key_text(key)) + ".cbor");
   PackingOutcome outcome;
   const auto look = [&] {
     if (file.empty()) return;

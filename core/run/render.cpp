@@ -1,18 +1,128 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/render.hpp"
 
+#include <cerrno>
+#include <cstdlib>
+
+#include "breccia/atomic_file.hpp"
+
 namespace breccia {
 
-std::vector<std::filesystem::path> render_all(const std::vector<PluginChoice>& renderers, const Registry& registry,
-                                              const RenderRequest& request, Host& host) {
-  std::vector<std::filesystem::path> made;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Removes a new folder that nothing was put into.
+struct EmptyFolder {
+  fs::path folder;
+  ~EmptyFolder() {
+    std::error_code ignored;
+    if (!folder.empty() && fs::is_empty(folder, ignored) && !ignored) fs::remove(folder, ignored);
+  }
+};
+
+/// A folder within another that is gone at the end, whatever happens.
+class Workshop {
+ public:
+  explicit Workshop(const fs::path& folder) : folder_(folder) {
+    std::string name = (folder / ".pictures-XXXXXX").string();
+    if (!mkdtemp(name.data())) throw CannotWrite(folder, errno);
+    path_ = name;
+  }
+  Workshop(const Workshop&) = delete;
+  Workshop& operator=(const Workshop&) = delete;
+  ~Workshop() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+
+  const fs::path& path() const { return path_; }
+  fs::path place_of(const fs::path& file) const { return folder_ / file.lexically_relative(path_); }
+  /// A message as it would be without the workshop.
+  std::string told(std::string_view text) const {
+    std::string out(text);
+    const std::string own = path_.string(), user = folder_.string();
+    for (std::size_t at = 0; (at = out.find(own, at)) != out.npos; at += user.size()) out.replace(at, own.size(), user);
+    return out;
+  }
+
+ private:
+  fs::path folder_, path_;
+};
+
+class WorkshopHost final : public Host {
+ public:
+  WorkshopHost(const Workshop& workshop, Host& to) : workshop_(workshop), to_(to) {}
+  void info(std::string_view text) override { to_.info(workshop_.told(text)); }
+  void warn(std::string_view text) override { to_.warn(workshop_.told(text)); }
+  void progress(std::string_view what, double done) override { to_.progress(what, done); }
+  bool cancelled() const override { return to_.cancelled(); }
+  int threads() const override { return to_.threads(); }
+
+ private:
+  const Workshop& workshop_;
+  Host& to_;
+};
+
+void refuse_to_replace(const std::vector<fs::path>& places, const fs::path& folder) {
+  std::error_code unknown;
+  std::string first;
+  std::size_t more = 0;
+  for (const fs::path& place : places) {
+    if (!fs::exists(fs::symlink_status(place, unknown))) continue;
+    if (first.empty()) first = place.lexically_relative(folder).string();
+    else ++more;
+  }
+  if (first.empty()) return;
+  throw UserError("the folder " + folder.string() + " already holds " + first +
+                  (more == 0   ? ""
+                   : more == 1 ? " and one more of the pictures"
+                               : " and " + std::to_string(more) + " more of the pictures") +
+                  "; nothing was changed. Choose another with --output, or allow them to be replaced with --overwrite");
+}
+
+}  // namespace
+
+std::vector<fs::path> render_all(const std::vector<PluginChoice>& renderers, const Registry& registry,
+                                 const RenderRequest& request, Host& host) {
+  std::vector<fs::path> made;
   for (const PluginChoice& choice : renderers) {
+    const auto warn = [&](const std::exception& e) {
+      host.warn("no pictures by renderer `" + choice.type + "`: " + e.what());
+    };
     try {
       const auto files = registry.create<Renderer>(choice)->render(request, host);
       made.insert(made.end(), files.begin(), files.end());
-    } catch (const Unavailable& e) { host.warn("no pictures by renderer `" + choice.type + "`: " + e.what()); }
+    } catch (const Unavailable& e) { warn(e); } catch (const UserError& e) {
+      warn(e);
+    }
   }
   return made;
+}
+
+std::vector<fs::path> render_apart(const PluginChoice& renderer, const Registry& registry, const RenderRequest& request,
+                                   bool overwrite, Host& host) {
+  const fs::path& folder = request.directory;
+  std::error_code error;
+  const bool is_new = fs::create_directories(folder, error);
+  if (error) throw UserError("cannot make the folder " + folder.string() + ": " + error.message());
+  const EmptyFolder left_over{is_new ? folder : fs::path()};
+  const Workshop workshop(folder);
+  WorkshopHost within(workshop, host);
+  std::vector<fs::path> made, places;
+  try {
+    made = registry.create<Renderer>(renderer)->render({request.source, workshop.path()}, within);
+  } catch (const Unavailable& e) {
+    within.warn("no pictures by renderer `" + renderer.type + "`: " + e.what());
+  } catch (const UserError& e) { throw UserError(workshop.told(e.what())); }
+  for (const fs::path& file : made) places.push_back(workshop.place_of(file));
+  if (!overwrite) refuse_to_replace(places, folder);
+  for (std::size_t k = 0; k < made.size(); ++k) {
+    fs::create_directories(places[k].parent_path(), error);
+    fs::rename(made[k], places[k], error);
+    if (error) throw UserError("cannot write " + places[k].string() + ": " + error.message());
+  }
+  return places;
 }
 
 }  // namespace breccia

@@ -2,10 +2,10 @@
 #include "run/sweep_cases.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <set>
 
+#include "breccia/text_file.hpp"
 #include "config/each_value.hpp"
 #include "config/reader.hpp"
 #include "output/curve_table.hpp"
@@ -43,9 +43,9 @@ std::string fit_for_a_name(const std::string& text) {
 
 /// What was read from a file is what counts, not where it lies.
 Json content_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || !fs::is_regular_file(file)) return file.string();
-  return hash_text({std::istreambuf_iterator<char>(in), {}});
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return valid_utf8(file.string());
+  return hash_text(read_bytes(file));
 }
 
 std::string input_hash(Json config, const Registry& registry) {
@@ -53,7 +53,7 @@ std::string input_hash(Json config, const Registry& registry) {
   each_value(config, workflow_schema(), registry, [](const ParamSpec& spec, const std::string&, Json& value) {
     if (spec.type == ParamType::path) value = content_of(value.get<std::string>());
   });
-  return hash_text(config.dump());
+  return hash_text(json_text(config));
 }
 
 const Json* value_at(const Json& config, const std::vector<PathStep>& steps) {
@@ -229,7 +229,7 @@ std::vector<std::string> input_headers(const Sweep& sweep, const SweepPlan& plan
 std::vector<std::string> input_cells(const Sweep& sweep, const PlannedCase& planned) {
   std::vector<std::string> cells{std::to_string(planned.the.number), planned.the.folder};
   if (sweep.has_workflows()) cells.push_back(sweep.study().workflow_names[planned.the.workflow]);
-  for (const Json& v : planned.inputs) cells.push_back(v.is_string() ? v.get<std::string>() : v.dump());
+  for (const Json& v : planned.inputs) cells.push_back(v.is_string() ? v.get<std::string>() : json_text(v));
   return cells;
 }
 

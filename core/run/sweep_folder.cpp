@@ -7,9 +7,9 @@
 
 #include <cerrno>
 #include <chrono>
-#include <fstream>
 #include <thread>
 
+#include "breccia/text_file.hpp"
 #include "output/atomic_file.hpp"
 #include "output/curve_table.hpp"
 
@@ -20,9 +20,11 @@ namespace fs = std::filesystem;
 namespace {
 
 Json read_json(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  const Json j = in ? Json::parse(in, nullptr, false) : Json();
-  return j.is_object() ? j : Json::object();
+  try {
+    const Json j = Json::parse(read_bytes(file), nullptr, false);
+    if (j.is_object()) return j;
+  } catch (const UserError&) {}  // no such file, or none that can be read: it says nothing
+  return Json::object();
 }
 
 std::string text_of(const Json& j, const char* key) {
@@ -98,7 +100,7 @@ CaseFolder::~CaseFolder() {
 void CaseFolder::write(const std::string& status, const std::string& error) {
   about_["status"] = status;
   if (!error.empty()) about_["error"] = error;
-  write_file(folder_ / "case.json", about_.dump(2) + "\n");
+  write_file(folder_ / "case.json", json_text(about_, 2) + "\n");
 }
 
 Json about_case(const Sweep& sweep, const SweepCase& c, const ResolvedCase& resolved) {
@@ -117,7 +119,7 @@ void record_crash(const fs::path& folder, const std::string& hash, const std::st
   about["inputs_sha256"] = hash;
   about["status"] = "failed";
   about["error"] = error;
-  write_file(folder / "case.json", about.dump(2) + "\n");
+  write_file(folder / "case.json", json_text(about, 2) + "\n");
 }
 
 }  // namespace breccia

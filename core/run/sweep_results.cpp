@@ -2,8 +2,8 @@
 #include "run/sweep_results.hpp"
 
 #include <algorithm>
-#include <fstream>
 
+#include "breccia/text_file.hpp"
 #include "config/suggest.hpp"
 #include "output/atomic_file.hpp"
 #include "run/summary_keys.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-std::string cell(const Json& v) { return v.is_null() ? "" : v.is_string() ? v.get<std::string>() : v.dump(); }
+std::string cell(const Json& v) { return v.is_null() ? "" : v.is_string() ? v.get<std::string>() : json_text(v); }
 
 void add_new(std::vector<std::string>& all, const std::string& name) {
   if (std::find(all.begin(), all.end(), name) == all.end()) all.push_back(name);
@@ -48,8 +48,9 @@ std::vector<CaseResult> read_results(const SweepPlan& plan, const fs::path& resu
     result.record = read_case(folder, c.hash);
     result.summary = Json::object();
     if (result.record.state == CaseState::finished) {
-      std::ifstream in(folder / "summary.json", std::ios::binary);
-      result.summary = Json::parse(in, nullptr, false);
+      try {
+        result.summary = Json::parse(read_bytes(folder / "summary.json"), nullptr, false);
+      } catch (const UserError&) { result.summary = Json(); }
       if (!result.summary.is_object()) {
         result.record.state = CaseState::failed;
         result.record.error = "summary.json is damaged";

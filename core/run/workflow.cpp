@@ -7,6 +7,7 @@
 #include "breccia/postprocessor.hpp"
 #include "breccia/protocol.hpp"
 #include "breccia/renderer.hpp"
+#include "breccia/utf8.hpp"
 #include "config/reader.hpp"
 #include "run/plugin_section.hpp"
 #include "run/result_name.hpp"
@@ -192,7 +193,7 @@ LoadedWorkflow loaded_from(Json config, const BaseChain& chain, const Registry& 
   LoadedWorkflow loaded;
   loaded.config = std::move(config);
   loaded.config.erase("variants");
-  if (loaded.config["name"] == "") loaded.config["name"] = file.stem().string();
+  if (loaded.config["name"] == "") loaded.config["name"] = valid_utf8(file.stem().string());
   if (!variant.empty()) loaded.config["name"] = loaded.config["name"].get<std::string>() + "_" + variant;
   check_name(loaded.config["name"], chain, overrides);
   Schema<Workflow> schema;

@@ -24,10 +24,7 @@ class Drive : public Program {
       "--set contact_law.internal_friction=0.5 --set contact_law.friction=0.3 --set contact_law.softening_tension=0.2 "
       "--set contact_law.softening_shear=0.2 ";
 
-  /// Without OpenGL: no charts; their drawing is tested beside the renderer.
-  Result drive(const std::string& arguments) const {
-    return Program::call("drive " + arguments, "__EGL_VENDOR_LIBRARY_FILENAMES=/no/driver.json");
-  }
+  Result drive(const std::string& arguments) const { return Program::call("drive " + arguments); }
 
   void run(const std::string& arguments) {
     const Result r = drive(arguments + " --path path.csv -o out --overwrite");

@@ -43,7 +43,6 @@ class SweepProgram : public Program {
  protected:
   void SetUp() override {
     Program::SetUp();
-    ::setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/no/driver.json", 1);  // charts have their tests beside the renderer's
     std::ostringstream csv;
     csv << "x,y,z,radius\n";
     for (int k = 0; k < 6; ++k)
@@ -54,10 +53,6 @@ class SweepProgram : public Program {
     write("bad.csv", "x,y,z,radius\n0,0,0,-1\n");
     write("small.yaml", small);
     write("weak.yaml", "base: small.yaml\ncontact_law: {bond_modulus: 20 GPa}\n");
-  }
-  void TearDown() override {
-    ::unsetenv("__EGL_VENDOR_LIBRARY_FILENAMES");
-    Program::TearDown();
   }
 
   Rows results(const std::string& study) const { return rows_of(content(folder_ / "results" / study / "results.csv")); }

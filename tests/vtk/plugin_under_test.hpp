@@ -53,9 +53,12 @@ struct QuietHost final : Host {
   std::vector<std::string> notes, warnings;
   void info(std::string_view text) override { notes.emplace_back(text); }
   void warn(std::string_view text) override { warnings.emplace_back(text); }
-  void progress(std::string_view, double) override {}
-  bool cancelled() const override { return false; }
-  int threads() const override { return 1; }
+  std::vector<double> done;
+  int thread_count = 1;
+  bool stop = false;  ///< once some progress was told
+  void progress(std::string_view, double share) override { done.push_back(share); }
+  bool cancelled() const override { return stop && !done.empty(); }
+  int threads() const override { return thread_count; }
 };
 
 /// A folder that is gone after the test.

@@ -12,32 +12,12 @@
 #include <vtkXMLUtilities.h>
 
 #include <charconv>
-#include <fstream>
 
-#include "breccia/error.hpp"
+#include "breccia/atomic_file.hpp"
 
 namespace breccia::vtk_output {
 namespace fs = std::filesystem;
 namespace {
-
-[[noreturn]] void fail(const fs::path& file, const std::string& why) {
-  throw UserError("output vtk: cannot write " + file.string() + ": " + why);
-}
-
-/// Beside the file, so that the rename stays on one disk.
-fs::path unfinished(const fs::path& file) { return file.string() + ".part"; }
-
-void give_final_name(const fs::path& file) {
-  std::error_code error;
-  fs::rename(unfinished(file), file, error);
-  if (error) fail(file, error.message());
-}
-
-[[noreturn]] void give_up(const fs::path& file, const std::string& why) {
-  std::error_code ignored;
-  fs::remove(unfinished(file), ignored);
-  fail(file, why);
-}
 
 /// Shortest text that reads back as the same number.
 std::string number(double value) {
@@ -52,14 +32,15 @@ void write_poly_data(vtkPolyData* data, const fs::path& file) {
   silent->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
   writer->AddObserver(vtkCommand::ErrorEvent, silent);
   writer->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silent);
-  writer->SetFileName(unfinished(file).c_str());
   writer->SetInputData(data);
   writer->SetDataModeToBinary();  // inline: ParaView 5.11 with a recent libexpat cannot read appended data
   writer->SetCompressorTypeToLZ4();
+  writer->WriteToOutputStringOn();  // to memory: its destructor crashes after a disk was full
   const bool wrote = writer->Write() != 0;
-  const unsigned long code = writer->GetErrorCode();  // Write() answers 1 even on a full disk
-  if (!wrote || code != vtkErrorCode::NoError) give_up(file, vtkErrorCode::GetStringFromErrorCode(code));
-  give_final_name(file);
+  const unsigned long code = writer->GetErrorCode();
+  if (!wrote || code != vtkErrorCode::NoError)
+    throw UserError("output vtk: cannot write " + file.string() + ": " + vtkErrorCode::GetStringFromErrorCode(code));
+  write_file(file, writer->GetOutputString());
 }
 
 }  // namespace
@@ -93,14 +74,10 @@ void Series::append(vtkPolyData* data, double time) {
 
 void Series::write_collection() const {
   const fs::path file = directory_ / (name_ + ".pvd");
-  std::ofstream out(unfinished(file));
-  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
+  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
   for (const Entry& e : entries_)
-    out << "    <DataSet timestep=\"" << number(e.time) << "\" part=\"0\" file=\"" << e.file << "\"/>\n";
-  out << "  </Collection>\n</VTKFile>\n";
-  out.close();
-  if (!out) give_up(file, "the disk is full or the folder cannot be written");
-  give_final_name(file);
+    text += "    <DataSet timestep=\"" + number(e.time) + "\" part=\"0\" file=\"" + e.file + "\"/>\n";
+  write_file(file, text + "  </Collection>\n</VTKFile>\n");
 }
 
 }  // namespace breccia::vtk_output

@@ -9,6 +9,7 @@
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkObject.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkSTLReader.h>
@@ -19,9 +20,10 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <cstdio>
-#include <fstream>
+#include <sstream>
 
 #include "breccia/packing_tools/parallel.hpp"
+#include "breccia/text_file.hpp"
 #include "surface.hpp"
 
 namespace breccia::collective_rearrangement {
@@ -32,19 +34,51 @@ constexpr int samples_per_side = 64;  // of the grid on which the volume of a gr
 constexpr int confine_steps = 50;     // toward a place that keeps clear of several facets at once
 constexpr int most_places = 10000;    // tried for one sphere
 
+/// VTK takes a text with a byte order mark, or in UTF-16, for a binary file, and knows no lines that end in \r.
+bool is_text_unknown_to_vtk(std::string_view start) {
+  using namespace std::string_view_literals;
+  if (start.starts_with("\xFF\xFE"sv) || start.starts_with("\xFE\xFF"sv) || start.starts_with("s\0o\0"sv) ||
+      start.starts_with("\0s\0o"sv))
+    return true;
+  const std::string_view text = without_mark(start);
+  if (!text.starts_with("solid")) return false;
+  return text.size() < start.size() || (text.find('\r') != text.npos && text.find('\n') == text.npos);
+}
+
+/// All that counts are the words `vertex x y z`, three to a triangle.
+vtkSmartPointer<vtkPolyData> read_stl_text(const std::string& text) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToFloat();  // as VTK's reader
+  vtkNew<vtkCellArray> triangles;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (word != "vertex") continue;
+    float x[3];
+    if (!(words >> x[0] >> x[1] >> x[2])) break;
+    const vtkIdType last = points->InsertNextPoint(x);
+    const vtkIdType corners[] = {last - 2, last - 1, last};
+    if (last % 3 == 2) triangles->InsertNextCell(3, corners);
+  }
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(points);
+  surface->SetPolys(triangles);
+  return surface;
+}
+
 vtkSmartPointer<vtkPolyData> read_surface(const std::filesystem::path& file) {
-  if (!std::ifstream(file)) throw UserError("cannot read " + file.string() + ": no such file, or no permission");
+  const std::string start = read_bytes(file, 512);
+  const bool stl = has_ending(file, ".stl"), vtp = has_ending(file, ".vtp");
   const bool warnings = vtkObject::GetGlobalWarningDisplay();
   vtkObject::GlobalWarningDisplayOff();  // VTK would print its own words; an empty surface tells enough
   vtkSmartPointer<vtkPolyData> surface;
-  std::string ending = file.extension().string();
-  for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
-  if (ending == ".stl") {
+  if (stl && is_text_unknown_to_vtk(start)) {
+    surface = read_stl_text(read_text_file(file));
+  } else if (stl) {
     vtkNew<vtkSTLReader> reader;
     reader->SetFileName(file.c_str());
     reader->Update();
     surface = reader->GetOutput();
-  } else if (ending == ".vtp") {
+  } else if (vtp) {
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->SetFileName(file.c_str());
     reader->Update();

@@ -6,19 +6,21 @@
 
 #include "breccia/cell_grid.hpp"
 #include "breccia/packing.hpp"
+#include "breccia/text_file.hpp"
 #include "spheres.hpp"
 
 namespace breccia {
 
 enum class LengthUnit { metre, centimetre, millimetre, micrometre, inch };
 enum class AxisName { x, y, z };
+enum class Filled { cylinder, box, sphere, disc };
 
 class FromFile final : public Packing {
  public:
   struct Config {
     std::filesystem::path file;
     std::optional<LengthUnit> length_unit;
-    SpecimenShape::Outline outline;
+    std::optional<Filled> outline;
     std::optional<AxisName> axis;
   };
 
@@ -40,10 +42,14 @@ class FromFile final : public Packing {
         .doc("of all columns of a .csv file; a .vtp file is always in metres")
         .example("mm");
     s.param("outline", &Config::outline)
-        .choice("cylinder", SpecimenShape::Outline::cylinder, "a cylinder along `axis`")
-        .choice("box", SpecimenShape::Outline::box,
-                "a box with faces normal to x, y and z; a rectangle in two dimensions")
-        .doc("what the spheres fill: cross-section and volume are measured accordingly");
+        .choice("cylinder", Filled::cylinder, "a cylinder along `axis`; in three dimensions")
+        .choice("box", Filled::box, "a box with faces normal to x, y and z; a rectangle in two dimensions")
+        .choice("sphere", Filled::sphere, "a sphere; a disc in two dimensions")
+        .choice("disc", Filled::disc, "the same, in two dimensions only")
+        .doc(
+            "what the particles fill: cross-section and volume are measured accordingly. A frame of the output `vtk` "
+            "says so itself")
+        .example("box");
     s.param("axis", &Config::axis)
         .choice("x", AxisName::x, "along x")
         .choice("y", AxisName::y, "along y")
@@ -51,18 +57,21 @@ class FromFile final : public Packing {
         .doc("of the cylinder, or the long direction of the box; z unless given, y in two dimensions")
         .example("z");
     s.check([](const Config& c, Issues& issues) {
-      const std::string type = c.file.extension();
-      if (type != ".csv" && type != ".vtp")
-        issues.push_back({"file", c.file.string() + " is neither a .csv nor a .vtp file"});
+      const bool csv = has_ending(c.file, ".csv"), vtp = has_ending(c.file, ".vtp");
+      if (!csv && !vtp) issues.push_back({"file", c.file.string() + " is neither a .csv nor a .vtp file"});
 #ifndef BRECCIA_HAS_VTK
-      if (type == ".vtp")
+      if (vtp)
         issues.push_back(
             {"file", "this build reads .csv files only, because it was made without VTK; convert the file"});
 #endif
-      if (type == ".csv" && !c.length_unit)
+      if (csv && !c.outline)
+        issues.push_back({"outline",
+                          "a .csv file does not say what the particles fill: add `outline`, one of cylinder, box, "
+                          "sphere, or in two dimensions box, disc"});
+      if (csv && !c.length_unit)
         issues.push_back(
             {"length_unit", "a .csv file has no unit of its own: add `length_unit`, one of m, cm, mm, um, in"});
-      if (type == ".vtp" && c.length_unit && *c.length_unit != LengthUnit::metre)
+      if (vtp && c.length_unit && *c.length_unit != LengthUnit::metre)
         issues.push_back({"length_unit", "a .vtp file is in metres: leave `length_unit` out"});
     });
   }
@@ -74,8 +83,7 @@ class FromFile final : public Packing {
   PackedParticles generate(const PackingRequest& request, Host& host) override {
     const bool flat = request.dimension == 2;
     const AxisName axis = config_.axis.value_or(flat ? AxisName::y : AxisName::z);
-    if (flat && config_.outline == SpecimenShape::Outline::cylinder)
-      throw UserError("packing from_file: in two dimensions the outline must be `box`");
+    if (config_.outline) check_dimension(*config_.outline, flat);
     if (flat && axis == AxisName::z) throw UserError("packing from_file: in two dimensions the axis must be x or y");
 
     from_file::Spheres spheres = read(!flat);
@@ -84,7 +92,7 @@ class FromFile final : public Packing {
       host.info("packing from_file: column `" + column + "` of " + config_.file.string() + " is not used");
 
     PackedParticles packed;
-    packed.outline = config_.outline;
+    packed.outline = outline(spheres, flat, host);
     packed.axis = Vec3::Unit(int(axis));
     const auto& r = spheres.radius;
     packed.report = {{"particles", "1", {}, double(r.size())},
@@ -97,9 +105,48 @@ class FromFile final : public Packing {
   }
 
  private:
+  using Outline = SpecimenShape::Outline;
+
+  static void check_dimension(Filled filled, bool flat) {
+    const auto refuse = [](const char* text) { throw UserError(std::string("packing from_file: ") + text); };
+    if (flat && filled == Filled::cylinder)
+      refuse("in two dimensions there is no cylinder: write `outline: box` for a rectangle or `outline: disc`");
+    if (!flat && filled == Filled::disc)
+      refuse(
+          "a disc has two dimensions: write `outline: cylinder` or `outline: sphere`, or add `dimension: 2` to the "
+          "workflow");
+  }
+
+  static Outline outline_of(Filled filled) {
+    return filled == Filled::cylinder ? Outline::cylinder : filled == Filled::box ? Outline::box : Outline::ellipsoid;
+  }
+
+  /// A frame knows what its specimen was.
+  Outline outline(const from_file::Spheres& spheres, bool flat, Host& host) const {
+    std::optional<Filled> own;
+    if (spheres.outline == "cylinder" && !flat) own = Filled::cylinder;
+    if (spheres.outline == "box") own = Filled::box;
+    if (spheres.outline == "ellipsoid") own = flat ? Filled::disc : Filled::sphere;
+    if (!own && !config_.outline)
+      throw UserError("packing from_file: " + config_.file.string() +
+                      " does not say what the particles fill: add `outline`, one of " +
+                      (flat ? "box, disc" : "cylinder, box, sphere"));
+    if (own && config_.outline && outline_of(*own) != outline_of(*config_.outline)) {
+      const std::string name = name_of(*own);
+      host.warn("packing from_file: " + config_.file.string() + " is a frame of a " + name + ": `outline: " +
+                name_of(*config_.outline) + "` is not used; write `outline: " + name + "`, or leave it out");
+    }
+    return outline_of(own ? *own : *config_.outline);
+  }
+
+  static std::string name_of(Filled filled) {
+    constexpr const char* names[] = {"cylinder", "box", "sphere", "disc"};
+    return names[int(filled)];
+  }
+
   from_file::Spheres read(bool needs_z) const {
 #ifdef BRECCIA_HAS_VTK
-    if (config_.file.extension() == ".vtp") return from_file::read_vtp(config_.file);
+    if (has_ending(config_.file, ".vtp")) return from_file::read_vtp(config_.file);
 #endif
     BRECCIA_ASSERT(config_.length_unit.has_value());
     return from_file::read_csv(config_.file, metres(*config_.length_unit), needs_z);

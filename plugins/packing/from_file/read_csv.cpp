@@ -2,10 +2,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <fstream>
 #include <optional>
 
-#include "breccia/error.hpp"
+#include "breccia/text_file.hpp"
 #include "spheres.hpp"
 
 namespace breccia::from_file {
@@ -15,7 +14,7 @@ constexpr std::array<const char*, 4> names{"x", "y", "z", "radius"};
 using Columns = std::array<std::optional<std::size_t>, 4>;
 
 std::string_view trimmed(std::string_view s) {
-  constexpr std::string_view blank = " \t\r";
+  constexpr std::string_view blank = " \t";
   const auto first = s.find_first_not_of(blank);
   if (first == s.npos) return {};
   s = s.substr(first, s.find_last_not_of(blank) - first + 1);
@@ -75,18 +74,16 @@ double number(const std::filesystem::path& file, std::size_t line, const char* c
 }  // namespace
 
 Spheres read_csv(const std::filesystem::path& file, double unit, bool needs_z) {
-  std::ifstream in(file);
-  std::error_code ignored_error;
-  if (!in || std::filesystem::is_directory(file, ignored_error))
-    throw UserError("cannot read the packing file " + file.string());
+  const std::string text = read_text_file(file);
   Spheres spheres;
   std::optional<Columns> columns;
   std::size_t width = 0, line = 0;
   char separator = ',';
-  std::string text;
-  while (std::getline(in, text)) {
-    std::string_view content = text;
-    if (++line == 1 && content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);  // byte order mark
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    std::string_view content = std::string_view(text).substr(at, end - at);
+    at = end + 1;
+    ++line;
     content = content.substr(0, content.find('#'));
     if (trimmed(content).empty()) continue;
     if (!columns) {
@@ -111,8 +108,6 @@ Spheres read_csv(const std::filesystem::path& file, double unit, bool needs_z) {
     spheres.radius.push_back(value[3]);
     spheres.line.push_back(line);
   }
-  if (in.bad())
-    throw UserError("reading the packing file " + file.string() + " failed after line " + std::to_string(line));
   if (!columns) throw UserError(file.string() + " is empty: its first line must name the columns x, y, z and radius");
   return spheres;
 }

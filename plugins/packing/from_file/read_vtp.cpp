@@ -2,12 +2,14 @@
 #include <vtkCallbackCommand.h>
 #include <vtkDataArray.h>
 #include <vtkExecutive.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include "breccia/error.hpp"
+#include "breccia/text_file.hpp"
 #include "spheres.hpp"
 
 namespace breccia::from_file {
@@ -22,6 +24,7 @@ Spheres read_vtp(const std::filesystem::path& file) {
   reader->AddObserver(vtkCommand::ErrorEvent, note);
   reader->SetParserErrorObserver(note);
   reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, note);
+  (void)read_bytes(file, 1);  // its words for a file that is not there or may not be read
   if (reader->CanReadFile(file.c_str())) {
     reader->SetFileName(file.c_str());
     reader->Update();
@@ -29,11 +32,13 @@ Spheres read_vtp(const std::filesystem::path& file) {
     bad = true;
   }
   if (bad || reader->GetErrorCode() != 0)
-    throw UserError("cannot read the packing file " + file.string() + ": it is missing, damaged, or no VTK poly data");
+    throw UserError("cannot read the packing file " + file.string() + ": it is damaged, or no VTK poly data");
 
   vtkPolyData* data = reader->GetOutput();
   vtkDataArray* radius = data->GetPointData()->GetArray("radius");
   Spheres spheres;
+  auto* outline = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("specimen_outline"));
+  if (outline && outline->GetNumberOfValues() == 1) spheres.outline = outline->GetValue(0);
   const vtkIdType n = data->GetNumberOfPoints();
   if (n > 0 && (!radius || radius->GetNumberOfComponents() != 1))
     throw UserError(file.string() + " has no point array `radius` with one number for each point");

@@ -15,6 +15,7 @@ struct Spheres {
   std::vector<double> radius;        ///< [m]
   std::vector<std::size_t> line;     ///< of the text file; empty when there are no lines to point at
   std::vector<std::string> ignored;  ///< columns that were not used
+  std::string outline;               ///< "cylinder", "box", ... when the file says what its specimen is; else empty
 
   /// "packing.csv, line 12" or "packing.vtp, point 10".
   std::string where(const std::filesystem::path& file, std::size_t k) const {
@@ -26,7 +27,8 @@ struct Spheres {
 /// `needs_z` the column z may be missing. UserError with the line number for what is not a number.
 Spheres read_csv(const std::filesystem::path& file, double unit, bool needs_z);
 
-/// Points in metres with the point array `radius` in metres: a frame of the output `vtk`, for example.
+/// Points in metres with the point array `radius` in metres: a frame of the output `vtk`, for example, which also says
+/// what the specimen was.
 Spheres read_vtp(const std::filesystem::path& file);
 
 }  // namespace breccia::from_file

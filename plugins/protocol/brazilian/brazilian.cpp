@@ -63,8 +63,10 @@ class Brazilian final : public Protocol {
     const SpecimenShape& shape = view.specimen;
     const bool flat = view.dimension == 2;
     if (shape.outline != (flat ? SpecimenShape::Outline::ellipsoid : SpecimenShape::Outline::cylinder))
-      throw UserError(flat ? "protocol brazilian: the specimen must be a disc"
-                           : "protocol brazilian: the specimen must be a cylinder");
+      throw UserError(flat ? "protocol brazilian: the specimen must be a disc: give the packing a container of "
+                             "`shape: sphere`, or with from_file `outline: disc`"
+                           : "protocol brazilian: the specimen must be a cylinder: give the packing a container of "
+                             "`shape: cylinder`, or with from_file `outline: cylinder`");
     int along = c_.axis == Axis::automatic ? 1 : int(c_.axis) - 1;
     if (c_.axis == Axis::automatic && !flat && std::abs(shape.axis.y()) > 0.5) along = 2;
     load_ = Vec3::Unit(along);

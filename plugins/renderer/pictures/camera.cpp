@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "camera.hpp"
 
-#include <vtkCamera.h>
-#include <vtkRenderer.h>
-
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -34,8 +32,6 @@ Viewpoint::Viewpoint(const Spheres& spheres, const FrameFacts& facts) : dimensio
   constexpr double far = std::numeric_limits<double>::infinity();
   low_ = Vec3::Constant(far);
   high_ = Vec3::Constant(-far);
-  nearest_ = -far;
-  farthest_ = far;
 
   Vec3 box_low = Vec3::Constant(-far), box_high = Vec3::Constant(far);
   if (facts.specimen) {
@@ -53,17 +49,46 @@ Viewpoint::Viewpoint(const Spheres& spheres, const FrameFacts& facts) : dimensio
       const Vec3& x = spheres.position[p];
       const bool inside = (x.array() >= box_low.array()).all() && (x.array() <= box_high.array()).all();
       if (inside || all) include(x, spheres.radius[p]);
-      nearest_ = std::max(nearest_, toward_.dot(x) + spheres.radius[p]);
-      farthest_ = std::min(farthest_, toward_.dot(x) - spheres.radius[p]);
     }
-    if (low_.x() < high_.x()) break;  // nothing inside the stated shape: frame all
+    if (low_.x() < high_.x() && low_.y() < high_.y()) break;  // nothing inside the stated shape: frame all
   }
+  if (facts.specimen) include(*facts.specimen);
+  // A single point, or points in a row: some room about them.
+  const double room = std::max({high_.x() - low_.x(), high_.y() - low_.y(), 1e-9});
+  for (int k = 0; k < 2; ++k)
+    if (!(high_[k] - low_[k] > 1e-6 * room)) {
+      low_[k] -= 0.5 * room;
+      high_[k] += 0.5 * room;
+    }
 }
 
 void Viewpoint::include(const Vec3& x, double radius) {
   const Vec3 seen(right_.dot(x), up_.dot(x), toward_.dot(x)), r = Vec3::Constant(radius);
   low_ = low_.cwiseMin(seen - r);
   high_ = high_.cwiseMax(seen + r);
+}
+
+/// The outline that is drawn must not be cut off where the outermost particles leave some of it free.
+void Viewpoint::include(const SpecimenShape& s) {
+  using Outline = SpecimenShape::Outline;
+  const Vec3 centre = s.base + 0.5 * s.height * s.axis, half = 0.5 * s.extent;
+  if (s.outline == Outline::irregular) return;
+  Vec3 low, high;  // along right, up, toward
+  int k = 0;
+  for (const Vec3& d : {right_, up_, toward_}) {
+    double reach = d.cwiseAbs().dot(half);  // of the box
+    if (s.outline == Outline::ellipsoid || (s.outline == Outline::cylinder && dimension_ == 2)) {
+      reach = d.cwiseProduct(half).norm();
+    } else if (s.outline == Outline::cylinder) {
+      const double along = std::abs(d.dot(s.axis)), across = std::sqrt(std::max(0.0, 1 - along * along));
+      Vec3 radial = s.axis.unitOrthogonal();
+      reach = 0.5 * s.height * along + half.dot(radial.cwiseAbs()) * across;
+    }
+    low[k] = d.dot(centre) - reach;
+    high[k++] = d.dot(centre) + reach;
+  }
+  low_ = low_.cwiseMin(low);
+  high_ = high_.cwiseMax(high);
 }
 
 bool Viewpoint::frames(const Vec3& x, double radius) const {
@@ -79,23 +104,16 @@ int Viewpoint::width_for(int height) const {
       std::lround(height / 100.0 * std::clamp(usable_height * aspect + left_margin + right_margin, 65.0, 160.0)));
 }
 
-void Viewpoint::aim(vtkRenderer* renderer, int width, int height) {
+Projection Viewpoint::aim(int width, int height) {
   const double u = height / 100.0, usable_width = width - (left_margin + right_margin) * u;
   pixels_per_metre_ = std::min(usable_height * u / (high_.y() - low_.y()), usable_width / (high_.x() - low_.x()));
   const double x = left_margin * u + 0.5 * usable_width, y = (bottom_margin + 0.5 * usable_height) * u;
   const Vec3 middle = 0.5 * (low_ + high_);
-  const Vec3 focus = (middle.x() + (0.5 * width - x) / pixels_per_metre_) * right_ +
-                     (middle.y() + (0.5 * height - y) / pixels_per_metre_) * up_ + middle.z() * toward_;
-  const double size = (high_ - low_).norm(), distance = nearest_ - middle.z() + size;
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->ParallelProjectionOn();
-  camera->SetParallelScale(0.5 * height / pixels_per_metre_);
-  camera->SetFocalPoint(focus.data());
-  const Vec3 eye = focus + distance * toward_;
-  camera->SetPosition(eye.data());
-  camera->SetViewUp(up_.data());
-  // By hand: the sphere mapper leaves the radii out of its bounds.
-  camera->SetClippingRange(0.5 * size, distance + middle.z() - farthest_ + 0.5 * size);
+  return {right_,
+          up_,
+          toward_,
+          pixels_per_metre_,
+          {x - pixels_per_metre_ * middle.x(), y - pixels_per_metre_ * middle.y()}};
 }
 
 void Viewpoint::annotate(Overlay& overlay) const {

@@ -4,10 +4,9 @@
 
 #include <span>
 
+#include "caster.hpp"
 #include "overlay.hpp"
 #include "results.hpp"
-
-class vtkRenderer;
 
 namespace breccia::pictures {
 
@@ -20,13 +19,13 @@ struct Spheres {
 class Viewpoint {
  public:
   /// Three-quarter view, slightly from above; straight on in two dimensions. Frames the specimen if its shape is known,
-  /// grown by a tenth for its deformation, otherwise all spheres: fragments that fly far do not shrink the rest.
+  /// with the spheres about it, otherwise all spheres: fragments that fly far do not shrink the rest.
   Viewpoint(const Spheres& spheres, const FrameFacts& facts);
 
   /// Width that suits a picture of this height, with room for a colour bar or legend [pixels].
   int width_for(int height) const;
-  /// Sets up the renderer's camera.
-  void aim(vtkRenderer* renderer, int width, int height);
+  /// For a picture of this size [pixels].
+  Projection aim(int width, int height);
   /// Fills in scale bar and directions. After `aim`.
   void annotate(Overlay& overlay) const;
 
@@ -38,11 +37,11 @@ class Viewpoint {
 
  private:
   void include(const Vec3& x, double radius);
+  void include(const SpecimenShape& specimen);
 
   int dimension_;
   Vec3 right_, up_, toward_;
-  Vec3 low_, high_;            // of what is framed, along right, up, toward [m]
-  double nearest_, farthest_;  // of everything, along toward [m]
+  Vec3 low_, high_;  // of what is framed, along right, up, toward [m]
   double pixels_per_metre_ = 0;
 };
 

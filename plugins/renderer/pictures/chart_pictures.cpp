@@ -17,6 +17,46 @@ Shown shown(const Curve& c) {
   return {scaled(c.value, unit.factor), unit.unit};
 }
 
+/// The column that was asked for; else the mean over the specimen, or, in a run that does not measure it, the platens'.
+std::string strain_name(const CurvesFile& curves, const CurveNames& names) {
+  return names.strain.value_or(!curves.find("axial_strain") && curves.find("platen_strain") ? "platen_strain"
+                                                                                            : "axial_strain");
+}
+std::string stress_name(const CurvesFile& curves, const CurveNames& names) {
+  return names.stress.value_or(!curves.find("axial_stress") && curves.find("platen_stress") ? "platen_stress"
+                                                                                            : "axial_stress");
+}
+
+/// One quantity over another with its peak marked, and damage on the right axis if it is recorded.
+Chart curve_with_peak(const Curve& across, const Curve& up, const Curve* damage) {
+  const Shown x = shown(across), y = shown(up);
+  Chart chart;
+  chart.x_title = axis_title(across, x.unit);
+  chart.left_title = axis_title(up, y.unit);
+  chart.lines.push_back({title(up.name, ""), x.value, y.value, {blue}});
+  if (damage) {
+    const Shown d = shown(*damage);
+    chart.right_title = axis_title(*damage, d.unit);
+    chart.right_from_zero = damage->unit.empty();
+    chart.lines.push_back({damage->name == "global_damage" ? "broken bonds" : title(damage->name, ""), x.value, d.value,
+                           dashed(vermillion), true});
+  }
+  std::size_t peak = y.value.size();
+  for (std::size_t k = 0; k < y.value.size(); ++k)
+    if (std::isfinite(y.value[k]) && std::isfinite(x.value[k]) &&
+        (peak == y.value.size() || y.value[k] > y.value[peak]))
+      peak = k;
+  if (peak < y.value.size())
+    chart.lines.push_back(
+        {"peak " + significant(y.value[peak], 4) + " " + y.unit + " at " + significant(x.value[peak], 3) + " " + x.unit,
+         {x.value[peak]},
+         {y.value[peak]},
+         {ink, LineStyle::full, {}, Marker::circle},
+         false,
+         true});
+  return chart;
+}
+
 }  // namespace
 
 std::vector<double> scaled(const std::vector<double>& v, double factor) {
@@ -50,38 +90,24 @@ std::string axis_title(const Curve& c, const std::string& unit) {
 }
 
 Chart stress_strain_chart(const CurvesFile& curves, const CurveNames& names) {
-  const Curve &strain = curves.at(names.strain), &stress = curves.at(names.stress);
-  const Curve* damage = curves.find(names.damage);
-  const Shown x = shown(strain), y = shown(stress);
-  Chart chart;
-  chart.x_title = axis_title(strain, x.unit);
-  chart.left_title = axis_title(stress, y.unit);
-  chart.lines.push_back({title(stress.name, ""), x.value, y.value, {blue}});
-  if (damage) {
-    const Shown d = shown(*damage);
-    chart.right_title = axis_title(*damage, d.unit);
-    chart.right_from_zero = damage->unit.empty();
-    chart.lines.push_back({damage->name == "global_damage" ? "broken bonds" : title(damage->name, ""), x.value, d.value,
-                           dashed(vermillion), true});
-  }
-  std::size_t peak = y.value.size();
-  for (std::size_t k = 0; k < y.value.size(); ++k)
-    if (std::isfinite(y.value[k]) && std::isfinite(x.value[k]) &&
-        (peak == y.value.size() || y.value[k] > y.value[peak]))
-      peak = k;
-  if (peak < y.value.size())
-    chart.lines.push_back(
-        {"peak " + significant(y.value[peak], 4) + " " + y.unit + " at " + significant(x.value[peak], 3) + " " + x.unit,
-         {x.value[peak]},
-         {y.value[peak]},
-         {ink, LineStyle::full, {}, Marker::circle},
-         false,
-         true});
-  return chart;
+  return curve_with_peak(curves.at(strain_name(curves, names)), curves.at(stress_name(curves, names)),
+                         curves.find(names.damage));
+}
+
+Chart load_chart(const CurvesFile& curves, const CurveNames& names) {
+  return curve_with_peak(curves.at(names.displacement), curves.at(names.load), curves.find(names.damage));
+}
+
+bool has_stress_strain(const CurvesFile& curves, const CurveNames& names) {
+  return curves.find(strain_name(curves, names)) && curves.find(stress_name(curves, names));
+}
+
+bool has_load(const CurvesFile& curves, const CurveNames& names) {
+  return curves.find(names.displacement) && curves.find(names.load);
 }
 
 Chart strains_chart(const CurvesFile& curves, const CurveNames& names) {
-  const Curve &axial = curves.at(names.strain), &lateral = curves.at(names.lateral_strain);
+  const Curve &axial = curves.at(strain_name(curves, names)), &lateral = curves.at(names.lateral_strain);
   const Shown x = shown(axial), y = shown(lateral);
   Chart chart;
   chart.x_title = axis_title(axial, x.unit);

@@ -2,6 +2,8 @@
 /// The charts made of curves.csv.
 #pragma once
 
+#include <optional>
+
 #include "breccia/schema.hpp"
 #include "chart.hpp"
 #include "curves_file.hpp"
@@ -10,23 +12,39 @@ namespace breccia::pictures {
 
 /// Which columns are drawn, by header or by name without the unit.
 struct CurveNames {
-  std::string strain, stress, damage, lateral_strain;
+  std::optional<std::string> strain, stress;
+  std::string damage, lateral_strain, displacement, load;
 
   static void describe(Schema<CurveNames>& s) {
-    s.param("strain", &CurveNames::strain).fallback("axial_strain").doc("horizontal axis");
-    s.param("stress", &CurveNames::stress).fallback("axial_stress").doc("left axis, compression positive");
+    s.param("strain", &CurveNames::strain)
+        .example("axial_strain")
+        .doc("horizontal axis; if absent `axial_strain`, or else `platen_strain`");
+    s.param("stress", &CurveNames::stress)
+        .example("axial_stress")
+        .doc("left axis, compression positive; if absent `axial_stress`, or else `platen_stress`");
     s.param("damage", &CurveNames::damage)
         .fallback("global_damage")
-        .doc("right axis of `stress_strain`, if there is such a column");
+        .doc("right axis of `stress_strain` and `load_curve`, if there is such a column");
     s.param("lateral_strain", &CurveNames::lateral_strain).fallback("lateral_strain").doc("left axis of `strains`");
+    s.param("displacement", &CurveNames::displacement)
+        .fallback("platen_displacement")
+        .doc("horizontal axis of `load_curve`");
+    s.param("load", &CurveNames::load).fallback("load").doc("left axis of `load_curve`");
   }
 };
 
 /// Axial stress and, if that column exists, damage against axial strain, with the peak marked.
 Chart stress_strain_chart(const CurvesFile& curves, const CurveNames& names);
 
+/// The load of the platens against their displacement in the same way.
+Chart load_chart(const CurvesFile& curves, const CurveNames& names);
+
 /// Lateral against axial strain.
 Chart strains_chart(const CurvesFile& curves, const CurveNames& names);
+
+/// Whether the columns that a chart needs are there.
+bool has_stress_strain(const CurvesFile& curves, const CurveNames& names);
+bool has_load(const CurvesFile& curves, const CurveNames& names);
 
 // What these have in common with other charts of curves.
 std::vector<double> scaled(const std::vector<double>& v, double factor);

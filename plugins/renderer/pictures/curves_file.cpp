@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <numeric>
+#include <sstream>
 
-#include "breccia/error.hpp"
+#include "breccia/text_file.hpp"
 
 namespace breccia::pictures {
 namespace {
@@ -17,17 +17,33 @@ std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> cells(1);
   for (const char c : line) {
     if (c == ',') cells.emplace_back();
-    else if (c != '\r' && c != '"') cells.back() += c;
+    else if (c != '"') cells.back() += c;
   }
   return cells;
 }
 
-/// Divides "axial_stress_Pa" into name and unit; what does not end in a unit is a pure number.
+/// Divides "axial_stress_Pa" into name and unit: the longest unit that ends the header. What ends in none is a pure
+/// number.
 Curve curve_named(const std::string& header) {
-  for (const char* unit : {"Pa", "s", "m", "N", "J", "kg", "m2", "m3", "rad"})
-    if (header.size() > std::char_traits<char>::length(unit) + 1 && header.ends_with(std::string("_") + unit))
-      return {header.substr(0, header.size() - std::char_traits<char>::length(unit) - 1), unit, {}};
-  return {header, "", {}};
+  static constexpr std::pair<std::string_view, const char*> units[] = {{"Pa", "Pa"},       {"s", "s"},
+                                                                       {"m", "m"},         {"N", "N"},
+                                                                       {"J", "J"},         {"kg", "kg"},
+                                                                       {"rad", "rad"},     {"m2", "m2"},
+                                                                       {"m3", "m3"},       {"N_m", "N m"},
+                                                                       {"m_s", "m/s"},     {"m_s2", "m/s2"},
+                                                                       {"rad_s", "rad/s"}, {"N_s", "N s"},
+                                                                       {"Pa_s", "Pa s"},   {"N_s_m", "N s/m"},
+                                                                       {"J_m2", "J/m2"},   {"J_m3", "J/m3"},
+                                                                       {"kg_m3", "kg/m3"}, {"Pa_m", "Pa/m"},
+                                                                       {"N_m2", "N/m2"},   {"N_m_rad", "N m/rad"}};
+  std::size_t length = 0;
+  const char* unit = "";
+  for (const auto& [suffix, shown] : units)
+    if (suffix.size() > length && header.size() > suffix.size() + 1 && header.ends_with("_" + std::string(suffix))) {
+      length = suffix.size();
+      unit = shown;
+    }
+  return {length > 0 ? header.substr(0, header.size() - length - 1) : header, unit, {}};
 }
 
 /// Levenshtein's distance.
@@ -49,13 +65,13 @@ std::size_t edits(const std::string& a, const std::string& b) {
 }  // namespace
 
 CurvesFile::CurvesFile(const std::filesystem::path& file) : file_(file) {
-  std::ifstream in(file);
+  std::istringstream in(read_text_file(file));
   std::string line;
-  if (!in || !std::getline(in, line)) throw UserError("renderer pictures: cannot read " + file.string());
+  if (!std::getline(in, line)) throw UserError("renderer pictures: " + file.string() + " is empty");
   headers_ = split(line);
   for (const std::string& h : headers_) curves_.push_back(curve_named(h));
   for (std::size_t number = 2; std::getline(in, line); ++number) {
-    if (line.empty() || line == "\r") continue;
+    if (line.empty()) continue;
     const auto cells = split(line);
     const auto where = [&] {
       return "renderer pictures: " + file.string() + ", line " + std::to_string(number) + ": ";
@@ -81,18 +97,24 @@ const Curve* CurvesFile::find(const std::string& name) const {
 
 const Curve& CurvesFile::at(const std::string& name) const {
   if (const Curve* c = find(name)) return *c;
-  std::string nearest, all;
+  std::string nearest;
   std::size_t least = 1 + name.size() / 3;
   for (std::size_t c = 0; c < headers_.size(); ++c) {
-    all.append(all.empty() ? "" : ", ").append(headers_[c]);
     const std::size_t d = std::min(edits(name, headers_[c]), edits(name, curves_[c].name));
     if (d <= least) {
       least = d;
       nearest = headers_[c];
     }
   }
-  throw UserError(file_.string() + " has no column `" + name + "`; " +
-                  (nearest.empty() ? "" : "did you mean `" + nearest + "`? ") + "it has: " + all);
+  throw UserError(file_.filename().string() + " has no column `" + name + "`; " +
+                  (nearest.empty() ? "it has: " + first_of(headers_) : "did you mean `" + nearest + "`?"));
+}
+
+std::string first_of(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 4;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(names.size(), most); ++k) text.append(k ? ", " : "").append(names[k]);
+  return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more" : text;
 }
 
 }  // namespace breccia::pictures

@@ -1,108 +1,72 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "overlay.hpp"
 
-#include <vtkBrush.h>
-#include <vtkContext2D.h>
-#include <vtkObjectFactory.h>
-#include <vtkPen.h>
-#include <vtkTextProperty.h>
-
+#include <algorithm>
 #include <cmath>
 
 namespace breccia::pictures {
+namespace {
 
-vtkStandardNewMacro(Overlay);
+using Anchor = Painter::Anchor;
+constexpr double type_size = 1.9, title_size = 2.1, small_size = 1.7;  // in hundredths of the height
 
-void Overlay::set_text(vtkContext2D* painter, double size, int horizontal, int vertical, double turn, bool bold) const {
-  vtkNew<vtkTextProperty> p;
-  set_type(p, int(std::lround(size * unit() * scale)), colour, bold);
-  p->SetJustification(horizontal);
-  p->SetVerticalJustification(vertical);
-  p->SetOrientation(turn);
-  painter->ApplyTextProp(p);
+}  // namespace
+
+void Overlay::line(Painter& painter, double x1, double y1, double x2, double y2, double thickness) const {
+  painter.line({x1, y1}, {x2, y2}, {colour, thickness * unit(), {}});
 }
 
-void Overlay::line(vtkContext2D* painter, double x1, double y1, double x2, double y2, double thickness) const {
-  painter->GetPen()->SetColor(colour[0], colour[1], colour[2]);
-  painter->GetPen()->SetOpacity(255);
-  painter->GetPen()->SetLineType(vtkPen::SOLID_LINE);
-  painter->GetPen()->SetWidth(float(thickness * unit() * scale));
-  painter->DrawLine(float(x1 * scale), float(y1 * scale), float(x2 * scale), float(y2 * scale));
-}
-
-void Overlay::text(vtkContext2D* painter, double x, double y, const std::string& what) const {
-  painter->DrawString(float(x * scale), float(y * scale), what.c_str());
-}
-
-bool Overlay::Paint(vtkContext2D* painter) {
+void Overlay::paint(Painter& painter) const {
+  const double u = unit();
   if (bar) paint_bar(painter);
   if (!legend.empty()) paint_legend(painter);
   if (scale_bar > 0) paint_scale(painter);
   if (!directions.empty()) paint_directions(painter);
-  if (!caption.empty()) {
-    set_text(painter, 1.9, VTK_TEXT_RIGHT, VTK_TEXT_BOTTOM);
-    text(painter, width - 3 * unit(), 2.6 * unit(), caption);
-  }
-  return true;
+  if (!caption.empty()) painter.text({width - 3 * u, 3.6 * u}, type_size * u, Anchor::end, caption, colour);
 }
 
-void Overlay::paint_bar(vtkContext2D* painter) const {
+void Overlay::paint_bar(Painter& painter) const {
   const double u = unit(), x = width - (100 * share_of_bar - 7) * u, w = 2.4 * u, y = 25 * u, h = 50 * u;
-  painter->GetPen()->SetLineType(vtkPen::NO_PEN);
-  const int steps = int(bar->colours->GetNumberOfTableValues());
-  for (int k = 0; k < steps; ++k) {
-    double c[4];
-    bar->colours->GetTableValue(k, c);
-    painter->GetBrush()->SetColorF(c[0], c[1], c[2], 1);
+  const std::size_t steps = bar->colours.step.size();
+  for (std::size_t k = 0; k < steps; ++k) {
     // Each step overlaps the next, which is drawn over it: no seams.
-    const double low = y + h * k / steps, high = y + h * std::min(k + 2, steps) / steps;
-    painter->DrawRect(float(x * scale), float(low * scale), float(w * scale), float((high - low) * scale));
+    const double low = y + h * double(k) / double(steps), high = y + h * double(std::min(k + 2, steps)) / double(steps);
+    painter.polygon({{x, low}, {x + w, low}, {x + w, high}, {x, high}}, bar->colours.step[k]);
   }
-  line(painter, x, y, x + w, y, 0.12);
-  line(painter, x, y + h, x + w, y + h, 0.12);
-  line(painter, x, y, x, y + h, 0.12);
-  line(painter, x + w, y, x + w, y + h, 0.12);
-  set_text(painter, 1.9, VTK_TEXT_LEFT, VTK_TEXT_CENTERED);
+  painter.polyline({{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}, {x, y}}, {colour, 0.12 * u, {}});
   for (std::size_t k = 0; k < bar->ticks.at.size(); ++k) {
     const double at = y + h * (bar->ticks.at[k] - bar->low) / (bar->high - bar->low);
     line(painter, x + w, at, x + w + 0.7 * u, at, 0.14);
-    text(painter, x + w + 1.2 * u, at, bar->ticks.label[k]);
+    painter.text({x + w + 1.2 * u, at}, type_size * u, Anchor::start, bar->ticks.label[k], colour);
   }
-  set_text(painter, 2.1, VTK_TEXT_CENTERED, VTK_TEXT_BOTTOM, 90);
-  text(painter, x - 1.4 * u, y + h / 2, bar->title);
+  painter.text({x - 2.4 * u, y + h / 2}, title_size * u, Anchor::middle, bar->title, colour, true);
 }
 
-void Overlay::paint_legend(vtkContext2D* painter) const {
+void Overlay::paint_legend(Painter& painter) const {
   const double u = unit(), x = width - (100 * share_of_bar - 1) * u, side = 2 * u;
-  double y = height - 8 * u;
+  double y = height - 7 * u;
   for (const LegendEntry& e : legend) {
-    painter->GetPen()->SetLineType(vtkPen::NO_PEN);
-    painter->GetBrush()->SetColor(e.colour[0], e.colour[1], e.colour[2], 255);
-    painter->DrawEllipse(float((x + side / 2) * scale), float((y + side / 2) * scale), float(side / 2 * scale),
-                         float(side / 2 * scale));
-    set_text(painter, 1.9, VTK_TEXT_LEFT, VTK_TEXT_CENTERED);
-    text(painter, x + 1.5 * side, y + side / 2, e.text);
+    painter.disc({x + side / 2, y}, side / 2, e.colour);
+    painter.text({x + 1.5 * side, y}, type_size * u, Anchor::start, e.text, colour);
     y -= 3.4 * u;
   }
 }
 
-void Overlay::paint_scale(vtkContext2D* painter) const {
+void Overlay::paint_scale(Painter& painter) const {
   const double u = unit(), x = 12 * u, y = 3.4 * u;
   line(painter, x, y, x + scale_bar, y, 0.3);
   line(painter, x, y - 0.6 * u, x, y + 0.6 * u, 0.2);
   line(painter, x + scale_bar, y - 0.6 * u, x + scale_bar, y + 0.6 * u, 0.2);
-  set_text(painter, 1.9, VTK_TEXT_CENTERED, VTK_TEXT_BOTTOM);
-  text(painter, x + scale_bar / 2, y + 0.9 * u, scale_text);
+  painter.text({x + scale_bar / 2, y + 1.9 * u}, type_size * u, Anchor::middle, scale_text, colour);
 }
 
-void Overlay::paint_directions(vtkContext2D* painter) const {
+void Overlay::paint_directions(Painter& painter) const {
   const double u = unit(), x = 5 * u, y = 4.5 * u, length = 3.4 * u;
-  set_text(painter, 1.7, VTK_TEXT_CENTERED, VTK_TEXT_CENTERED);
   for (const auto& [d, name] : directions) {
     if (d.norm() < 0.15) continue;  // points at the reader
     line(painter, x, y, x + length * d.x(), y + length * d.y(), 0.2);
     const Eigen::Vector2d at = length * d + 1.2 * u * d.normalized();
-    text(painter, x + at.x(), y + at.y(), name);
+    painter.text({x + at.x(), y + at.y()}, small_size * u, Anchor::middle, name, colour);
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// A flat sheet to draw charts on. What is drawn once becomes a .png and a .svg of the same look.
+/// A flat sheet to draw charts, and the writing over scenes, on. What is drawn once becomes a .png and a .svg of the
+/// same look.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "scene_pictures.hpp"
 #include "style.hpp"
 
 namespace breccia::pictures {
@@ -39,7 +39,8 @@ class Painter {
 struct Page {
   int width, height;  ///< [pixels]
   Vec3 background;
-  std::string title;  ///< of the .svg, for those who cannot see it
+  std::string title;             ///< of the .svg, for those who cannot see it
+  const Image* scene = nullptr;  ///< of the same size, under what is drawn; in the .png alone
 };
 
 using Draw = std::function<void(Painter&)>;

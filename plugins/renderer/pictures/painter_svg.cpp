@@ -2,9 +2,10 @@
 // Written by hand: vtkSVGExporter scales the pens of lines with the axes, so that curves vanish.
 #include <cmath>
 #include <cstdio>
-#include <fstream>
+#include <sstream>
 
-#include "canvas.hpp"
+#include "breccia/atomic_file.hpp"
+#include "breccia/utf8.hpp"
 #include "painter.hpp"
 
 namespace breccia::pictures {
@@ -24,7 +25,7 @@ std::string hex(const Rgb& c) {
 
 std::string escaped(const std::string& text) {
   std::string out;
-  for (const char c : text) {
+  for (const char c : valid_utf8(text)) {
     if (c == '&') out += "&amp;";
     else if (c == '<') out += "&lt;";
     else if (c >= 0 && c < ' ') out += ' ';  // XML knows no control characters
@@ -61,9 +62,9 @@ class SvgPainter final : public Painter {
             bool upright) override {
     constexpr const char* names[] = {"start", "middle", "end"};
     out_ << "<text transform=\"translate(" << number(at.x()) << " " << number(height_ - at.y()) << ")"
-         << (upright ? " rotate(-90)" : "") << "\" y=\"" << number(0.36 * size) << "\" font-size=\"" << number(size)
-         << "\" text-anchor=\"" << names[int(anchor)] << "\" fill=\"" << hex(colour) << "\">" << escaped(what)
-         << "</text>\n";
+         << (upright ? " rotate(-90)" : "") << "\" y=\"" << number(middle_of_type * size) << "\" font-size=\""
+         << number(size) << "\" text-anchor=\"" << names[int(anchor)] << "\" fill=\"" << hex(colour) << "\">"
+         << escaped(what) << "</text>\n";
   }
 
  private:
@@ -86,7 +87,7 @@ class SvgPainter final : public Painter {
 }  // namespace
 
 void write_svg(const Page& page, const Draw& draw, const std::filesystem::path& file) {
-  std::ofstream out(unfinished(file));
+  std::ostringstream out;
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << page.width
       << "\" height=\"" << page.height << "\" viewBox=\"0 0 " << page.width << " " << page.height
       << "\" font-family=\"'DejaVu Sans', Verdana, sans-serif\">\n<title>" << escaped(page.title)
@@ -94,9 +95,7 @@ void write_svg(const Page& page, const Draw& draw, const std::filesystem::path& 
   SvgPainter painter(out, page.height);
   draw(painter);
   out << "</svg>\n";
-  out.close();
-  if (!out) cannot_write(file, "the disk is full or the folder cannot be written");
-  give_final_name(file);
+  write_file(file, std::move(out).str());
 }
 
 }  // namespace breccia::pictures

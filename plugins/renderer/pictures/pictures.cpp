@@ -2,6 +2,7 @@
 /// Pictures of a finished run, drawn from its files on any machine: no display, no graphics card.
 #include <algorithm>
 
+#include "breccia/atomic_file.hpp"
 #include "breccia/renderer.hpp"
 #include "chart_pictures.hpp"
 #include "comparison.hpp"
@@ -13,7 +14,7 @@ namespace breccia {
 namespace fs = std::filesystem;
 using namespace pictures;
 
-enum class Motif { specimen, cutaway, cracks, cracks_time, displacement, stress_strain, strains, tables };
+enum class Motif { specimen, cutaway, cracks, cracks_time, displacement, stress_strain, load_curve, strains, tables };
 
 struct PictureConfig {
   Motif show;
@@ -31,6 +32,7 @@ struct PictureConfig {
         .choice("cracks_time", Motif::cracks_time, "broken bonds as discs, coloured by when they broke")
         .choice("displacement", Motif::displacement, "the particles, coloured by the magnitude of their displacement")
         .choice("stress_strain", Motif::stress_strain, "axial stress and damage against axial strain, .png and .svg")
+        .choice("load_curve", Motif::load_curve, "load and damage against the platens' displacement, .png and .svg")
         .choice("strains", Motif::strains, "lateral and volumetric strain against axial strain, .png and .svg")
         .choice("tables", Motif::tables,
                 "histograms, roses and profiles of the run's tables, if any: <table>.png and .svg each")
@@ -67,7 +69,7 @@ struct PictureConfig {
 class Pictures final : public Renderer {
  public:
   struct Config {
-    std::vector<PictureConfig> pictures;
+    std::optional<std::vector<PictureConfig>> pictures;
     long size;
     Vec3 background;
     CurveNames columns;
@@ -80,17 +82,16 @@ class Pictures final : public Renderer {
         .details(
             "Reads `particles.pvd`, `bonds.pvd` and `curves.csv` of a result folder, or one .pvd or .vtp file, and "
             "draws "
-            "with OpenGL through EGL, in software if need be. A picture whose data are missing is skipped with a "
-            "warning; "
-            "the others are made.")
+            "on the processor: neither a display nor a graphics card is needed. A picture whose data are missing is "
+            "skipped with a warning; the others are made.")
         .source(
             "colour maps: viridis, inferno (Smith, van der Walt), cividis (Nuñez et al. 2018), OrRd, RdBu (Brewer); "
             "mode colours: Okabe and Ito");
-    Json all = Json::array();
-    for (const char* motif :
-         {"specimen", "cutaway", "cracks", "cracks_time", "displacement", "stress_strain", "strains", "tables"})
-      all.push_back({{"show", motif}, {"colour_map", "automatic"}, {"cut", "quarter"}});
-    s.param("pictures", &Config::pictures).items(1, 1000).fallback(all).doc("what to draw; one of each kind if absent");
+    s.param("pictures", &Config::pictures)
+        .items(1, 1000)
+        .doc(
+            "what to draw; if absent, as far as the run has the data for them: `specimen`, `cutaway` (three "
+            "dimensions), `cracks`, and `load_curve` or else `stress_strain`; of tables alone `tables`");
     s.param("size", &Config::size)
         .at_least(200)
         .at_most(8000)
@@ -102,10 +103,10 @@ class Pictures final : public Renderer {
         .fallback({1, 1, 1})
         .doc("red, green and blue of the background");
     s.param("columns", &Config::columns)
-        .fallback({{"strain", "axial_strain"},
-                   {"stress", "axial_stress"},
-                   {"damage", "global_damage"},
-                   {"lateral_strain", "lateral_strain"}})
+        .fallback({{"damage", "global_damage"},
+                   {"lateral_strain", "lateral_strain"},
+                   {"displacement", "platen_displacement"},
+                   {"load", "load"}})
         .doc("columns of curves.csv, by header (`axial_stress_Pa`) or by name without the unit");
     s.param("comparisons", &Config::comparisons)
         .items(1, 1000)
@@ -120,7 +121,7 @@ class Pictures final : public Renderer {
             "the Mohr-Coulomb line");
     s.check([](const Config& c, Issues& issues) {
       std::vector<std::string> pictures, comparisons;
-      for (const PictureConfig& p : c.pictures) pictures.push_back(file_name(p));
+      for (const PictureConfig& p : c.pictures.value_or(std::vector<PictureConfig>{})) pictures.push_back(file_name(p));
       for (const Comparison& k : c.comparisons.value_or(std::vector<Comparison>{}))
         comparisons.push_back(k.file_name());
       check_names("pictures", pictures, issues);
@@ -136,26 +137,28 @@ class Pictures final : public Renderer {
 
   std::vector<fs::path> render(const RenderRequest& request, Host& host) override {
     const Results results = find_results(request.source);
-    Canvas(16, 16, Vec3::Ones());  // Unavailable, if it must be, before any work
     std::error_code error;
     fs::create_directories(request.directory, error);
     if (error)
       throw UserError("renderer pictures: cannot make the folder " + request.directory.string() + ": " +
                       error.message());
 
+    const std::vector<PictureConfig> pictures = config_.pictures ? *config_.pictures : usual_pictures(results);
+    const Sheet sheet{int(config_.size), config_.background, host.threads()};
     std::vector<fs::path> made;
     std::string last_problem = "the run has none of the data they need";
-    for (std::size_t k = 0; k < config_.pictures.size(); ++k) {
+    for (std::size_t k = 0; k < pictures.size(); ++k) {
       if (host.cancelled()) throw Cancelled();
-      host.progress("pictures", double(k) / double(config_.pictures.size()));
-      const PictureConfig& picture = config_.pictures[k];
+      host.progress("pictures", double(k) / double(pictures.size()));
+      const PictureConfig& picture = pictures[k];
       try {
-        draw(picture, results, request.directory, made);
-      } catch (const UserError& e) {
+        draw(picture, results, sheet, request.directory, made);
+      } catch (const CannotWrite&) { throw; } catch (const UserError& e) {
         last_problem = "picture `" + file_name(picture) + "` was not made: " + e.what();
         host.warn(last_problem);
       }
     }
+    host.progress("pictures", 1);
     if (made.empty()) throw UserError("renderer pictures: no picture could be made; " + last_problem);
     return made;
   }
@@ -165,7 +168,6 @@ class Pictures final : public Renderer {
     for (const ComparisonRequest::Run& run : request.runs)
       runs.push_back({run.label, CurvesFile(run.folder / "curves.csv")});
     const Sheet sheet{int(config_.size), config_.background};
-    Canvas(16, 16, Vec3::Ones());
     std::vector<std::pair<std::string, Chart>> charts;
     for (const Comparison& c : config_.comparisons.value_or(usual_comparisons())) {
       std::vector<std::string> missing;
@@ -198,7 +200,6 @@ class Pictures final : public Renderer {
     const Sheet sheet{int(config_.size), config_.background};
     const Chart chart = study_chart(study);
     layout_of(chart, sheet);
-    Canvas(16, 16, Vec3::Ones());
     std::vector<fs::path> made;
     write_chart(chart, sheet, study.file, made);
     return made;
@@ -216,8 +217,8 @@ class Pictures final : public Renderer {
   }
 
   static std::string file_name(const PictureConfig& p) {
-    constexpr const char* names[] = {"specimen",     "cutaway",       "cracks",  "cracks_time",
-                                     "displacement", "stress_strain", "strains", "tables"};
+    constexpr const char* names[] = {"specimen",      "cutaway",    "cracks",  "cracks_time", "displacement",
+                                     "stress_strain", "load_curve", "strains", "tables"};
     return p.name.value_or(names[int(p.show)]);
   }
 
@@ -230,9 +231,28 @@ class Pictures final : public Renderer {
     return frames[std::size_t(*index)];
   }
 
-  void draw(const PictureConfig& p, const Results& results, const fs::path& directory,
+  /// What a run of any kind can show, without a word about what it is not made to show.
+  std::vector<PictureConfig> usual_pictures(const Results& results) const {
+    std::vector<PictureConfig> usual;
+    const auto add = [&](Motif show) {
+      usual.push_back({show, {}, {}, ColourMap::automatic, {}, {}, {}, Cut::quarter});
+    };
+    if (!results.particle_frames.empty()) {
+      add(Motif::specimen);
+      if (facts_of(read_frame(results.particle_frames.back())).dimension == 3) add(Motif::cutaway);
+    }
+    if (!results.bond_frames.empty()) add(Motif::cracks);
+    if (!results.curves.empty()) {
+      const CurvesFile curves(results.curves);
+      if (has_load(curves, config_.columns)) add(Motif::load_curve);
+      else if (has_stress_strain(curves, config_.columns)) add(Motif::stress_strain);
+    }
+    if (usual.empty() && !results.tables.empty()) add(Motif::tables);
+    return usual;
+  }
+
+  void draw(const PictureConfig& p, const Results& results, const Sheet& sheet, const fs::path& directory,
             std::vector<fs::path>& made) const {
-    const Sheet sheet{int(config_.size), config_.background};
     const fs::path png = directory / (file_name(p) + ".png");
     switch (p.show) {
       case Motif::specimen:
@@ -249,28 +269,30 @@ class Pictures final : public Renderer {
                     p.show == Motif::cracks ? CrackColour::mode : CrackColour::time, p.colour_map, sheet, png);
         break;
       case Motif::stress_strain:
+      case Motif::load_curve:
       case Motif::strains: {
         if (results.curves.empty()) throw UserError("there is no curves.csv");
         const CurvesFile curves(results.curves);
-        const Chart chart = p.show == Motif::strains ? strains_chart(curves, config_.columns)
-                                                     : stress_strain_chart(curves, config_.columns);
+        const Chart chart = p.show == Motif::strains      ? strains_chart(curves, config_.columns)
+                            : p.show == Motif::load_curve ? load_chart(curves, config_.columns)
+                                                          : stress_strain_chart(curves, config_.columns);
         write_chart(chart, sheet, directory / file_name(p), made);
         return;
       }
       case Motif::tables:
-        return draw_tables(results.tables, directory, made);
+        return draw_tables(results.tables, sheet, directory, made);
     }
     made.push_back(png);
   }
 
   /// Tables of another shape are for other programs. One that is damaged does not keep the others from being drawn.
-  void draw_tables(const std::vector<fs::path>& tables, const fs::path& directory, std::vector<fs::path>& made) const {
-    const Sheet sheet{int(config_.size), config_.background};
+  void draw_tables(const std::vector<fs::path>& tables, const Sheet& sheet, const fs::path& directory,
+                   std::vector<fs::path>& made) const {
     std::string problems;
     for (const fs::path& file : tables) {
       const std::string name = file.stem().string();
       try {
-        for (const PictureConfig& p : config_.pictures)
+        for (const PictureConfig& p : config_.pictures.value_or(std::vector<PictureConfig>{}))
           if (file_name(p) == name) throw UserError("another picture has the name of the table " + name);
         const CurvesFile table(file);
         if (is_rose(table)) write_rose(rose_of(table, name), sheet, directory / name, made);

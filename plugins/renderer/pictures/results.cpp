@@ -19,6 +19,7 @@
 #include <cmath>
 
 #include "breccia/error.hpp"
+#include "curves_file.hpp"
 
 namespace breccia::pictures {
 namespace fs = std::filesystem;
@@ -129,9 +130,13 @@ FrameFacts facts_of(vtkPolyData* frame) {
   if (!base || !axis || !extent || !height || !(*height > 0)) return f;
   auto* outline = vtkStringArray::SafeDownCast(frame->GetFieldData()->GetAbstractArray("specimen_outline"));
   SpecimenShape s;
-  s.outline = outline && outline->GetNumberOfValues() == 1 && outline->GetValue(0) == "box"
-                  ? SpecimenShape::Outline::box
-                  : SpecimenShape::Outline::cylinder;
+  // What the file does not name has an outline that we do not know: none is drawn.
+  const std::string name = outline && outline->GetNumberOfValues() == 1 ? outline->GetValue(0) : "";
+  using Outline = SpecimenShape::Outline;
+  s.outline = Outline::irregular;
+  if (name == "cylinder") s.outline = Outline::cylinder;
+  if (name == "box") s.outline = Outline::box;
+  if (name == "ellipsoid") s.outline = Outline::ellipsoid;
   s.base = *base;
   s.axis = *axis;
   s.extent = *extent;
@@ -149,10 +154,10 @@ Values field_of(vtkFieldData* data, const std::string& name) {
     if (array && array->GetNumberOfComponents() != 3) array = nullptr;
   }
   if (!array) {
-    std::string known;
+    std::vector<std::string> known;
     for (int k = 0; k < data->GetNumberOfArrays(); ++k)
-      if (data->GetArray(k)) known.append(known.empty() ? "" : ", ").append(data->GetArrayName(k));
-    throw UserError("there is no field `" + name + "`; there are: " + known);
+      if (data->GetArray(k) && data->GetArrayName(k)) known.push_back(data->GetArrayName(k));
+    throw UserError("there is no field `" + name + "`; there are: " + first_of(known));
   }
   Values v{{}, name, unit_of(array)};
   const int n = array->GetNumberOfComponents();

@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// What can stand in a picture: spheres, cracks, the specimen's outline; and the light on it.
+/// What can stand in a picture: spheres, cracks, the specimen's outline.
 #pragma once
 
-#include <vtkLookupTable.h>
-
 #include "camera.hpp"
-#include "style.hpp"
 
 namespace breccia::pictures {
 
-/// Soft light from the upper left with a fill from the right: shapes are seen, colours stay readable.
-void add_lights(vtkRenderer* renderer);
-
 /// Spheres coloured by one value each.
-void add_spheres(vtkRenderer* renderer, const Spheres& spheres, const std::vector<double>& value,
-                 vtkLookupTable* colours);
-
-/// Darkens gaps between spheres as diffuse light would: depth can be seen.
-void add_occlusion(vtkRenderer* renderer, const Spheres& spheres);
+void add_spheres(Scene& scene, const Spheres& spheres, const std::vector<double>& value, const ColourTable& colours);
 
 /// A broken bond as a disc across it (a short bar in two dimensions).
 struct Crack {
@@ -25,9 +15,11 @@ struct Crack {
   double radius = 0;      // [m]
   Rgb colour{};
 };
-void add_cracks(vtkRenderer* renderer, const std::vector<Crack>& cracks, int dimension);
+void add_cracks(Scene& scene, const std::vector<Crack>& cracks, int dimension);
 
-/// The specimen as it was when loading began: a pale back wall and thin edges.
-void add_outline(vtkRenderer* renderer, const SpecimenShape& specimen, int dimension, double line_width);
+/// The specimen as it was when loading began: a pale wall behind everything and thin edges, `line_width` [m] wide.
+/// Of an irregular specimen the frame knows no surface: nothing is drawn.
+void add_outline(Scene& scene, const SpecimenShape& specimen, int dimension, const Projection& projection,
+                 double line_width);
 
 }  // namespace breccia::pictures

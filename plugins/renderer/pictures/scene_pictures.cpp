@@ -3,14 +3,13 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkContextActor.h>
-#include <vtkContextScene.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "breccia/error.hpp"
+#include "painter.hpp"
 #include "scene.hpp"
 
 namespace breccia::pictures {
@@ -71,7 +70,7 @@ Scale scale_of(const Values& v, const SpecimenPicture& picture) {
 ColourBar bar_of(const Values& v, const std::string& name, const Scale& scale) {
   const ShownUnit unit = shown_unit(v.unit, std::max(std::abs(scale.low), std::abs(scale.high)));
   ColourBar bar;
-  bar.colours = lookup_table(scale.map, scale.low, scale.high);
+  bar.colours = colour_table(scale.map, scale.low, scale.high);
   bar.low = scale.low * unit.factor;
   bar.high = scale.high * unit.factor;
   bar.ticks = nice_ticks(bar.low, bar.high, 6);
@@ -85,18 +84,16 @@ std::string caption_of(const FrameFacts& facts) {
   return "t = " + significant(*facts.time * unit.factor, 4) + " " + unit.unit;
 }
 
-/// Puts the writing over the scene and saves the picture.
-void finish(Canvas& canvas, Viewpoint& view, vtkSmartPointer<Overlay> overlay, const Sheet& sheet,
-            const std::filesystem::path& file) {
-  overlay->width = canvas.width();
-  overlay->height = canvas.height();
-  overlay->scale = Canvas::oversampling;
-  overlay->colour = writing_on(sheet.background);
-  view.annotate(*overlay);
-  vtkNew<vtkContextActor> actor;
-  actor->GetScene()->AddItem(overlay);
-  canvas.renderer()->AddActor(actor);
-  canvas.save(file);
+/// Casts the scene, puts the writing over it and saves the picture.
+void finish(const Scene& scene, const Viewpoint& view, const Projection& projection, int width, Overlay& overlay,
+            const Sheet& sheet, const std::filesystem::path& file) {
+  overlay.width = width;
+  overlay.height = sheet.size;
+  overlay.colour = writing_on(sheet.background);
+  view.annotate(overlay);
+  const Image image = cast(scene, projection, width, sheet.size, sheet.background, sheet.threads);
+  write_png(
+      {width, sheet.size, sheet.background, {}, &image}, [&](Painter& painter) { overlay.paint(painter); }, file);
 }
 
 /// Keeps the spheres for which `shown(centre, radius)` holds, with their values.
@@ -157,15 +154,15 @@ void draw_specimen(vtkPolyData* particles, const SpecimenPicture& picture, const
   Viewpoint view(spheres, facts);
   keep(spheres, values.value, [&](const Vec3& x, double radius) { return view.frames(x, radius); });
   if (picture.cut != Cut::none) cut_open(spheres, values.value, picture.cut, view, facts);
-  Canvas canvas(view.width_for(sheet.size), sheet.size, sheet.background);
-  auto overlay = vtkSmartPointer<Overlay>::New();
-  overlay->bar = bar_of(values, field, scale);
-  overlay->caption = caption_of(facts);
-  add_lights(canvas.renderer());
-  add_spheres(canvas.renderer(), spheres, values.value, overlay->bar->colours);
-  if (facts.dimension == 3) add_occlusion(canvas.renderer(), spheres);
-  view.aim(canvas.renderer(), canvas.width(), canvas.height());
-  finish(canvas, view, overlay, sheet, file);
+  const int width = view.width_for(sheet.size);
+  const Projection projection = view.aim(width, sheet.size);
+  Overlay overlay;
+  overlay.bar = bar_of(values, field, scale);
+  overlay.caption = caption_of(facts);
+  Scene scene;
+  scene.occlusion = facts.dimension == 3;
+  add_spheres(scene, spheres, values.value, overlay.bar->colours);
+  finish(scene, view, projection, width, overlay, sheet, file);
 }
 
 void draw_cracks(vtkPolyData* bonds, CrackColour by, ColourMap colours, const Sheet& sheet,
@@ -201,33 +198,35 @@ void draw_cracks(vtkPolyData* bonds, CrackColour by, ColourMap colours, const Sh
   ends.radius.assign(ends.position.size(), 0);
   for (std::size_t p = 0; p < ends.position.size(); ++p) bonds->GetPoint(vtkIdType(p), ends.position[p].data());
   if (ends.position.empty()) throw UserError("there are no particles to draw");
+  for (const Crack& c : cracks) {  // and the cracks themselves, which stick out between the outermost
+    ends.position.push_back(c.position);
+    ends.radius.push_back(c.radius);
+  }
   Viewpoint view(ends, facts);
-  Canvas canvas(view.width_for(sheet.size), sheet.size, sheet.background);
-  auto overlay = vtkSmartPointer<Overlay>::New();
-  overlay->caption = caption_of(facts);
+  const int width = view.width_for(sheet.size);
+  const Projection projection = view.aim(width, sheet.size);
+  Overlay overlay;
+  overlay.caption = caption_of(facts);
   if (by == CrackColour::time && !cracks.empty()) {
     SpecimenPicture all;
     all.colours = colours == ColourMap::automatic ? ColourMap::viridis : colours;
     const auto [first, last] = std::minmax_element(times.value.begin(), times.value.end());
     all.low = *first;
     all.high = *last > *first ? *last : *first + 1e-9;
-    overlay->bar = bar_of(times, "time of breakage", scale_of(times, all));
-    for (std::size_t k = 0; k < cracks.size(); ++k) {
-      const unsigned char* c = overlay->bar->colours->MapValue(times.value[k]);
-      cracks[k].colour = {c[0], c[1], c[2]};
-    }
+    overlay.bar = bar_of(times, "time of breakage", scale_of(times, all));
+    for (std::size_t k = 0; k < cracks.size(); ++k) cracks[k].colour = overlay.bar->colours.at(times.value[k]);
   } else {
     const char* names[] = {"tension", "shear", "combined"};
     for (std::size_t m = 0; m < 3; ++m)
       if (m < 2 || count[m] > 0)
-        overlay->legend.push_back({mode_colour[m], std::string(names[m]) + ": " + std::to_string(count[m])});
+        overlay.legend.push_back({mode_colour[m], std::string(names[m]) + ": " + std::to_string(count[m])});
   }
-  add_lights(canvas.renderer());
+  Scene scene;
   if (facts.specimen)
-    add_outline(canvas.renderer(), *facts.specimen, facts.dimension, 0.14 * sheet.size / 100.0 * Canvas::oversampling);
-  add_cracks(canvas.renderer(), cracks, facts.dimension);
-  view.aim(canvas.renderer(), canvas.width(), canvas.height());
-  finish(canvas, view, overlay, sheet, file);
+    add_outline(scene, *facts.specimen, facts.dimension, projection,
+                0.14 * sheet.size / 100.0 / projection.pixels_per_metre);
+  add_cracks(scene, cracks, facts.dimension);
+  finish(scene, view, projection, width, overlay, sheet, file);
 }
 
 }  // namespace breccia::pictures

@@ -4,18 +4,12 @@
 
 #include <optional>
 
-#include "canvas.hpp"
 #include "results.hpp"
 #include "style.hpp"
 
 namespace breccia::pictures {
 
 enum class Cut { none, quarter, half };
-
-struct Sheet {
-  int size = 1600;  ///< height [pixels]
-  Vec3 background = Vec3::Ones();
-};
 
 struct SpecimenPicture {
   std::string field;  ///< empty: `damage` if there is one, else the displacement

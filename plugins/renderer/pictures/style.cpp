@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "style.hpp"
 
-#include <vtkTextProperty.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -43,18 +41,6 @@ std::span<const Rgb> anchors(ColourMap map) {
   }
 }
 
-/// Where Linux distributions put DejaVu Sans.
-std::string font_file(bool bold) {
-  const std::string name = bold ? "DejaVuSans-Bold.ttf" : "DejaVuSans.ttf";
-  for (const char* folder : {"/usr/share/fonts/truetype/dejavu", "/usr/share/fonts/dejavu-sans-fonts",
-                             "/usr/share/fonts/TTF", "/usr/share/fonts/dejavu", "/usr/local/share/fonts/dejavu"}) {
-    const std::filesystem::path file = std::filesystem::path(folder) / name;
-    std::error_code ignored;
-    if (std::filesystem::exists(file, ignored)) return file;
-  }
-  return {};
-}
-
 }  // namespace
 
 Rgb writing_on(const Vec3& background) {
@@ -79,38 +65,34 @@ LineStyle series_style(std::size_t k) {
   return {colours[k % 7], 0.45, dashes[k % 5], markers[k % 6]};
 }
 
-vtkSmartPointer<vtkLookupTable> lookup_table(ColourMap map, double low, double high) {
+ColourTable colour_table(ColourMap map, double low, double high) {
   const auto colours = anchors(map);
-  auto table = vtkSmartPointer<vtkLookupTable>::New();
-  constexpr int steps = 256;
-  table->SetNumberOfTableValues(steps);
-  table->SetTableRange(low, high);
-  for (int k = 0; k < steps; ++k) {
-    const double at = double(k) / (steps - 1) * double(colours.size() - 1);
+  ColourTable table{{}, low, high};
+  for (std::size_t k = 0; k < table.step.size(); ++k) {
+    const double at = double(k) / double(table.step.size() - 1) * double(colours.size() - 1);
     const std::size_t a = std::min(std::size_t(at), colours.size() - 2);
-    double c[3];
-    for (int i = 0; i < 3; ++i)
-      c[i] = ((1 - (at - double(a))) * colours[a][i] + (at - double(a)) * colours[a + 1][i]) / 255;
-    table->SetTableValue(k, c[0], c[1], c[2], 1);
+    for (std::size_t c = 0; c < 3; ++c)
+      table.step[k][c] = static_cast<unsigned char>(
+          std::lround((1 - (at - double(a))) * colours[a][c] + (at - double(a)) * colours[a + 1][c]));
   }
   return table;
 }
 
-void set_type(vtkTextProperty* text, int size, const Rgb& colour, bool bold) {
-  static const std::string regular = font_file(false), heavy = font_file(true);
-  const std::string& file = bold && !heavy.empty() ? heavy : regular;
-  if (file.empty()) {
-    text->SetFontFamilyToArial();
-    text->SetBold(bold);
-  } else {
-    text->SetFontFamily(VTK_FONT_FILE);
-    text->SetFontFile(file.c_str());
-    text->SetBold(0);
+const Rgb& ColourTable::at(double value) const {
+  static constexpr Rgb unknown{160, 160, 160};
+  if (std::isnan(value)) return unknown;
+  const double share = std::clamp((value - low) / (high - low), 0.0, 1.0);
+  return step[std::min(std::size_t(share * double(step.size())), step.size() - 1)];
+}
+
+std::string font_file() {
+  for (const char* folder : {"/usr/share/fonts/truetype/dejavu", "/usr/share/fonts/dejavu-sans-fonts",
+                             "/usr/share/fonts/TTF", "/usr/share/fonts/dejavu", "/usr/local/share/fonts/dejavu"}) {
+    const std::filesystem::path file = std::filesystem::path(folder) / "DejaVuSans.ttf";
+    std::error_code ignored;
+    if (std::filesystem::exists(file, ignored)) return file;
   }
-  text->SetItalic(0);
-  text->SetShadow(0);
-  text->SetFontSize(size);
-  text->SetColor(colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
+  return {};
 }
 
 ShownUnit shown_unit(const std::string& unit, double largest) {

@@ -2,26 +2,26 @@
 /// How the pictures look: type, colour maps, units and ticks.
 #pragma once
 
-#include <vtkLookupTable.h>
-#include <vtkSmartPointer.h>
-
 #include <array>
 #include <string>
 #include <vector>
 
 #include "breccia/types.hpp"
-
-class vtkTextProperty;
+#include "caster.hpp"
 
 namespace breccia::pictures {
-
-using Rgb = std::array<unsigned char, 3>;
 
 /// Okabe and Ito's colours, told apart by colour-blind readers too.
 constexpr Rgb blue{0, 114, 178}, vermillion{213, 94, 0}, green{0, 158, 115}, ink{38, 38, 38};
 
 /// The areas of histograms, paler than their blue outlines.
 constexpr Rgb bar_fill{153, 199, 224};
+
+struct Sheet {
+  int size = 1600;  ///< height of a picture of the specimen, width of a chart [pixels]
+  Vec3 background = Vec3::Ones();
+  int threads = 1;  ///< the same picture for any number
+};
 
 enum class Marker { none, circle, square, triangle_up, diamond, triangle_down };
 
@@ -46,11 +46,19 @@ Rgb writing_on(const Vec3& background);
 
 enum class ColourMap { automatic, viridis, cividis, inferno, orange_red, blue_red, grey };
 
-/// 256 steps from `low` to `high`. Not for `automatic`.
-vtkSmartPointer<vtkLookupTable> lookup_table(ColourMap map, double low, double high);
+/// Colours of values from `low` to `high`; what lies beyond takes the last colour.
+struct ColourTable {
+  std::array<Rgb, 256> step;
+  double low = 0, high = 1;
+  const Rgb& at(double value) const;
+};
+/// Not for `automatic`.
+ColourTable colour_table(ColourMap map, double low, double high);
 
-/// DejaVu Sans, which has Greek letters; VTK's own sans serif when it is not installed.
-void set_type(vtkTextProperty* text, int size, const Rgb& colour, bool bold = false);
+/// The file of DejaVu Sans, which has Greek letters; empty when it is not installed.
+std::string font_file();
+/// From the base line of a text to the middle of its height, in type sizes.
+constexpr double middle_of_type = 0.36;
 
 /// The factor and the unit with the prefix that bring numbers up to `largest` into 1 to 1000; for areas and volumes,
 /// the side of a square or cube of that size.

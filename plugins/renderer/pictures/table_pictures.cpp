@@ -100,7 +100,7 @@ Chart profile_chart(const CurvesFile& table, const std::string& name) {
   chart.left_title = title(family, up.unit);
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const std::string label = title(lines[k]->name == family ? family : lines[k]->name.substr(family.size() + 1), "");
-    chart.lines.push_back({label, middle, scaled(lines[k]->value, up.factor), series_style(k), false, false,
+    chart.lines.push_back({label, middle, scaled(lines[k]->value, up.factor), series_style(k), false, false, true,
                            double(k + 1) / double(lines.size())});
   }
   return chart;

@@ -33,7 +33,10 @@ class PressureConfinement final : public Confinement {
   bool any() const override { return true; }
   void setup(const SpecimenShape& shape, const SimulationView& view, LoadControl&, double) override {
     if (shape.outline != SpecimenShape::Outline::cylinder && shape.outline != SpecimenShape::Outline::box)
-      throw UserError("protocol: lateral pressure needs a cylinder, a box or a rectangle");
+      throw UserError(
+          "protocol: lateral pressure needs a cylinder, a box or a rectangle: choose such a container (with the "
+          "packing "
+          "from_file such an `outline`)");
     surface_.emplace(shape, view, rule_);
     if (surface_->particles() == 0)
       throw UserError("protocol: no particle is seen on the lateral surface of the specimen");
@@ -79,7 +82,9 @@ class RigidConfinement final : public Confinement {
       return;
     }
     if (shape.outline != SpecimenShape::Outline::box)
-      throw UserError("protocol: a rigid cell needs a cylinder, a box or a rectangle");
+      throw UserError(
+          "protocol: a rigid cell needs a cylinder, a box or a rectangle: choose such a container (with the packing "
+          "from_file such an `outline`)");
     const Vec3 middle = shape.base + 0.5 * shape.height * shape.axis;
     for (int axis = 0; axis < view.dimension; ++axis) {
       const Vec3 out = Vec3::Unit(axis);
