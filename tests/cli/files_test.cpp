@@ -56,7 +56,7 @@ protocol: {type: brazilian, platen_velocity: 0.1 m/s, max_displacement: 0.1 %}
 
 TEST_F(FilesCli, ADiscFromAFileIsSplit) {
   expect(run(std::string(frames) + "--output r"), 0, "finished");
-  EXPECT_TRUE(summary("r").contains("tensile_strength_Pa")) << summary("r").dump(2);
+  EXPECT_TRUE(summary("r").contains("brazilian_tensile_strength_Pa")) << summary("r").dump(2);
   // A frame says itself what its specimen is.
   const std::string frame = "--set 'packing={type: from_file, file: r/particles_000000.vtp";
   expect(run(frame + "}' --output a"), 0, "finished");
