@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 
 #include "breccia/utf8.hpp"
 #include "cli/verbs.hpp"
@@ -157,12 +159,19 @@ int dispatch(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return dispatch(argc, argv);
+    const int code = dispatch(argc, argv);
+    if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return code;
+    std::fprintf(stderr, "cannot write the output: %s\n", std::strerror(errno));
+    return cli::bad_input;
   } catch (const Cancelled&) {
     std::fprintf(stderr, "breccia: stopped on request\n");
     return cli::interrupted;
   } catch (const UserError& e) {
     std::fprintf(stderr, "%s\n", printable(e.what()).c_str());
+    return cli::bad_input;
+  } catch (const std::filesystem::filesystem_error& e) {  // of a name that the user gave: too long, not to be entered
+    const std::string file = printable(e.path1().string()), why = e.code().message();
+    std::fprintf(stderr, "cannot use %s: %s\n", file.c_str(), why.c_str());
     return cli::bad_input;
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "breccia: not enough memory\n");

@@ -264,10 +264,14 @@ class Drive {
     if (!s_.renderer) return {};
     try {
       return registry_.create<Renderer>(*s_.renderer)->compare({{{folder_, s_.law.type}}, folder_}, host_);
-    } catch (const Unavailable& e) {
-      host_.warn("no charts by renderer `" + s_.renderer->type + "`: " + e.what());
-      return {};
+    } catch (const Unavailable& e) { return without_charts(e); } catch (const UserError& e) {
+      return without_charts(e);
     }
+  }
+
+  std::vector<std::filesystem::path> without_charts(const std::exception& e) {
+    host_.warn("no charts by renderer `" + s_.renderer->type + "`: " + e.what());
+    return {};
   }
 
   const DriveSettings& s_;

@@ -14,6 +14,7 @@
 #include "breccia/text_file.hpp"
 #include "output/atomic_file.hpp"
 #include "plugin/sha256.hpp"
+#include "run/warning_log.hpp"
 
 namespace breccia {
 namespace {
@@ -24,12 +25,9 @@ std::string hash_text(const std::string& text) { return sha256(std::as_bytes(std
 
 /// For the hash alone. A name in a configuration need not be UTF-8, which JSON's text must be.
 std::string key_text(const Json& key) {
-  try {
-    return key.dump();
-  } catch (const Json::type_error&) {
-    const std::vector<std::uint8_t> bytes = Json::to_cbor(key);
-    return {bytes.begin(), bytes.end()};
-  }
+  if (is_utf8(key)) return key.dump();
+  const std::vector<std::uint8_t> bytes = Json::to_cbor(key);
+  return {bytes.begin(), bytes.end()};
 }
 
 Json to_json(const PackedParticles& p) {
@@ -88,7 +86,11 @@ std::optional<PackedParticles> read_cached(const fs::path& file, Host& host) {
   try {
     const std::string all = read_bytes(file);
     if (all.size() < 64 || all.substr(0, 64) != hash_text(all.substr(64))) throw std::runtime_error("damaged");
-    return from_json(Json::from_cbor(all.substr(64)));
+    const Json body = Json::from_cbor(all.substr(64));
+    PackedParticles particles = from_json(body);
+    if (const auto said = body.find("warnings"); said != body.end())  // they hold for every run with this packing
+      for (const Json& text : *said) host.warn(text.get<std::string>());
+    return particles;
   } catch (const UserError& e) {
     host.warn(std::string(e.what()) + ": the packing is made anew");
     return std::nullopt;
@@ -98,14 +100,17 @@ std::optional<PackedParticles> read_cached(const fs::path& file, Host& host) {
   }
 }
 
-void write_cached(const fs::path& file, const PackedParticles& p, Host& host) {
+void write_cached(const fs::path& file, const PackedParticles& p, const std::vector<std::string>& warnings,
+                  Host& host) {
   // Under a name of its own first: other processes may be writing the same packing.
   const fs::path own = file.string() + "." + std::to_string(std::random_device()()) + std::to_string(getpid());
   try {
     std::error_code error;
     fs::create_directories(file.parent_path(), error);
     if (error) throw UserError("cannot make the folder " + file.parent_path().string() + ": " + error.message());
-    const std::vector<std::uint8_t> body = Json::to_cbor(to_json(p));
+    Json all = to_json(p);
+    if (!warnings.empty()) all["warnings"] = warnings;
+    const std::vector<std::uint8_t> body = Json::to_cbor(all);
     const std::string text(body.begin(), body.end());
     write_file(own, hash_text(text) + text);
     fs::rename(own, file, error);
@@ -187,8 +192,10 @@ PackingOutcome obtain_packing(const Registry& registry, const PluginChoice& choi
     look();  // it may have been made meanwhile
   }
   if (!outcome.from_cache) {
-    outcome.particles = packing->generate(request, host);
-    if (!file.empty() && !outcome.particles.position.empty()) write_cached(file, outcome.particles, host);
+    WarningLog<Host> log(host);
+    outcome.particles = packing->generate(request, log);
+    if (!file.empty() && !outcome.particles.position.empty())
+      write_cached(file, outcome.particles, log.warnings(), host);
   }
   outcome.hash = content_hash(outcome.particles);
   return outcome;

@@ -9,6 +9,7 @@
 #include "breccia/output.hpp"
 #include "breccia/postprocessor.hpp"
 #include "breccia/protocol.hpp"
+#include "breccia/utf8.hpp"
 #include "config/writer.hpp"
 #include "engine/assembly.hpp"
 #include "engine/simulation.hpp"
@@ -116,6 +117,8 @@ class Run {
     for (const PluginChoice& c : w_.renderers) add("renderer", c.type);
     warn_of_changes(provenance);
     config_["provenance"] = provenance;
+    if (!is_utf8(config_))
+      monitor_.warn("the name of an input file is not UTF-8: resolved.yaml cannot state it and cannot be run again");
     write_file(options_.folder / "resolved.yaml",
                "# The full input of this run, defaults included; run it again for the same result.\n" +
                    write_yaml(config_, workflow_schema(), registry_));

@@ -227,7 +227,9 @@ void draw(const SweepTable& table, const Study& study, const PluginChoice& choic
         chart.file = folder / chart.file;
         const auto files = renderer->chart(chart, host);
         made.insert(made.end(), files.begin(), files.end());
-      } catch (const UserError& e) { host.warn("chart `" + config.file_name() + "` was not drawn: " + e.what()); }
+      } catch (const CannotWrite&) { throw; } catch (const UserError& e) {
+        host.warn("chart `" + config.file_name() + "` was not drawn: " + e.what());
+      }
     }
   } catch (const Unavailable& e) { host.warn("no charts by renderer `" + choice.type + "`: " + e.what()); }
 }

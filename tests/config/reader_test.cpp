@@ -66,9 +66,17 @@ TEST(Reader, MembersComeInTheOrderOfTheirDeclaration) {
   EXPECT_EQ(got["contact_law"].begin().key(), "type");
 }
 
+/// It would be -1 wherever a signed number holds it.
+TEST(Reader, WholeNumbersEndWhereASignedOneDoes) {
+  for (const char* n : {"9223372036854775808", "18446744073709551615"})
+    EXPECT_NE(problems_of(std::string(minimal) + "seed: " + n + "\n").find("the largest is 9223372036854775807"),
+              std::string::npos)
+        << n;
+}
+
 TEST(Reader, NumbersHaveTheTypeOfTheSchema) {
-  const Json got = read(std::string(minimal) + "seed: 18446744073709551615\nsteps: 2.0e3\nquick: 3\n");
-  EXPECT_EQ(got["seed"].get<std::uint64_t>(), 18446744073709551615u);
+  const Json got = read(std::string(minimal) + "seed: 9223372036854775807\nsteps: 2.0e3\nquick: 3\n");
+  EXPECT_EQ(got["seed"].get<std::uint64_t>(), 9223372036854775807u);
   EXPECT_TRUE(got["steps"].is_number_integer());
   EXPECT_TRUE(got["quick"].is_number_float());
 }

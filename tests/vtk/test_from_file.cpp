@@ -66,7 +66,7 @@ TEST_F(FromFile, BadTablesAreRefusedWithTheirLine) {
          "line 5: the same centre as line 2");
   expect(refusal(""), "p.csv is empty");
   expect(refusal("x,y,z,radius\n"), "p.csv holds no particle");
-  expect(user_error([&] { load(folder_.path() / "no.csv"); }), "cannot read the packing file");
+  expect(user_error([&] { load(folder_.path() / "no.csv"); }), "no.csv: no such file");
 }
 
 TEST_F(FromFile, TwoDimensions) {
@@ -78,8 +78,39 @@ TEST_F(FromFile, TwoDimensions) {
   expect(user_error([&] {
            load(file, {{"length_unit", "mm"}, {"outline", "cylinder"}}, 2);
          }),
-         "the outline must be `box`");
+         "there is no cylinder: write `outline: box` for a rectangle or `outline: disc`");
   expect(user_error([&] { load(file, {{"length_unit", "mm"}, {"axis", "z"}}, 2); }), "the axis must be x or y");
+}
+
+TEST_F(FromFile, WhatTheParticlesFill) {
+  using Outline = SpecimenShape::Outline;
+  const auto file = folder_.file("p.csv", "x,y,z,radius\n1,2,0,0.5\n");
+  const auto outline = [&](const char* name, int dimension) {
+    return load(file, {{"length_unit", "mm"}, {"outline", name}}, dimension).outline;
+  };
+  EXPECT_EQ(outline("disc", 2), Outline::ellipsoid);
+  EXPECT_EQ(outline("sphere", 2), Outline::ellipsoid);
+  EXPECT_EQ(outline("sphere", 3), Outline::ellipsoid);
+  EXPECT_EQ(outline("box", 2), Outline::box);
+  expect(user_error([&] { outline("disc", 3); }), "write `outline: cylinder` or `outline: sphere`");
+  EXPECT_EQ(load(file, {{"length_unit", "mm"}, {"outline", "disc"}}, 2).axis, Vec3::UnitY());
+}
+
+TEST_F(FromFile, TextsOfOtherSystems) {
+  const std::string text = "x,y,z,radius\n1,2,3,0.5\n-1,2,3,0.25\n";
+  std::string cr = text, wide;
+  for (char& c : cr) c = c == '\n' ? '\r' : c;
+  for (const char c : text) wide.append(1, c).append(1, '\0');
+  for (const std::string& same : {"\xEF\xBB\xBF" + text, cr}) {
+    const auto p = load(folder_.file("P.CSV", same));
+    ASSERT_EQ(p.radius.size(), 2u);
+    EXPECT_EQ(p.position[1], 1e-3 * Vec3(-1, 2, 3));
+  }
+  expect(refusal("\xFF\xFE" + wide), "p.csv:1:1: the file is UTF-16; save it as UTF-8");
+  expect(refusal(wide), "p.csv:1:1: the file is UTF-16; save it as UTF-8");
+  expect(refusal(text + std::string("1,\0", 3)), "p.csv:4:3: a zero byte");
+  expect(refusal(cr + "1,2,3,\xFC\n"), "p.csv:4:7: the text is not UTF-8 here");
+  expect(refusal(text + "1,\x1B[31m2,3,4\n"), "p.csv:4:3: a control character");
 }
 
 TEST_F(FromFile, ParametersThatContradictEachOther) {
@@ -88,6 +119,10 @@ TEST_F(FromFile, ParametersThatContradictEachOther) {
   const Issues no_unit = issues({{"file", "/a.csv"}, {"outline", "box"}});
   ASSERT_EQ(no_unit.size(), 1u);
   EXPECT_EQ(no_unit[0].path, "length_unit");
+  EXPECT_TRUE(issues({{"file", "/a.Csv"}, {"length_unit", "mm"}, {"outline", "disc"}}).empty());
+  const Issues no_outline = issues({{"file", "/a.csv"}, {"length_unit", "mm"}});
+  ASSERT_EQ(no_outline.size(), 1u);
+  EXPECT_EQ(no_outline[0].path, "outline");
   const Issues type = issues({{"file", "/a.txt"}, {"outline", "box"}});
   ASSERT_EQ(type.size(), 1u);
   EXPECT_EQ(type[0].path, "file");
@@ -114,9 +149,8 @@ TEST_F(FromFile, AFrameOfARunIsAPackingWithoutLoss) {
 
 TEST_F(FromFile, BadVtpFilesAreRefused) {
   const Json cylinder = {{"outline", "cylinder"}};
-  expect(user_error([&] { load(folder_.path() / "no.vtp", cylinder); }), "it is missing, damaged, or no VTK poly data");
-  expect(user_error([&] { load(folder_.file("text.vtp", "x,y,z"), cylinder); }),
-         "it is missing, damaged, or no VTK poly data");
+  expect(user_error([&] { load(folder_.path() / "no.vtp", cylinder); }), "no.vtp: no such file");
+  expect(user_error([&] { load(folder_.file("text.vtp", "x,y,z"), cylinder); }), "it is damaged, or no VTK poly data");
   auto output = make<Output>(BRECCIA_VTK_PLUGIN, {});
   output->begin(folder_.path(), host_);
   output->frame(Specimen(20, 3).view(0), {});

@@ -106,7 +106,7 @@ TEST_F(PicturesOfARun, AllKindsAreDrawn) {
     EXPECT_LT(image.drawn(), 0.95) << file;
     EXPECT_GT(image.colours(), 100u) << file;
   }
-  for (const auto& entry : fs::directory_iterator(to_.path())) EXPECT_NE(entry.path().extension(), ".part");
+  for (const auto& entry : fs::directory_iterator(to_.path())) EXPECT_NE(entry.path().extension(), ".partial");
 }
 
 TEST_F(PicturesOfARun, TheUsualOnesAreFew) {

@@ -151,7 +151,7 @@ TEST_F(VtkOutput, TheCollectionListsEveryFrameAfterEachFrame) {
               std::string::npos)
         << pvd;
   }
-  for (const auto& entry : fs::directory_iterator(folder_.path())) EXPECT_NE(entry.path().extension(), ".part");
+  for (const auto& entry : fs::directory_iterator(folder_.path())) EXPECT_NE(entry.path().extension(), ".partial");
 }
 
 TEST_F(VtkOutput, AResumedRunKeepsTheEarlierFramesOnly) {
@@ -204,17 +204,17 @@ TEST_F(VtkOutput, AFolderThatCannotBeMadeIsAUserError) {
 /// The device that is always full stands in for a full disk: the writer's temporary name leads to it.
 TEST_F(VtkOutput, AFullDiskIsAUserErrorAndLeavesNoFile) {
   auto output = begin();
-  ASSERT_EQ(symlink("/dev/full", (folder_.path() / "particles_000000.vtp.part").c_str()), 0);
+  ASSERT_EQ(symlink("/dev/full", (folder_.path() / "particles_000000.vtp.partial").c_str()), 0);
   const std::string text = user_error([&] { output->frame(specimen_.view(0), {}); });
-  EXPECT_NE(text.find("cannot write " + (folder_.path() / "particles_000000.vtp").string()), std::string::npos) << text;
+  EXPECT_EQ(text, "cannot write " + (folder_.path() / "particles_000000.vtp").string() + ": No space left on device");
   EXPECT_FALSE(fs::exists(folder_.path() / "particles_000000.vtp"));
   EXPECT_FALSE(fs::exists(folder_.path() / "particles.pvd"));
 }
 
 TEST_F(VtkOutput, AFullDiskAtTheCollectionIsAUserError) {
   auto output = begin();
-  ASSERT_EQ(symlink("/dev/full", (folder_.path() / "particles.pvd.part").c_str()), 0);
-  EXPECT_NE(user_error([&] { output->frame(specimen_.view(0), {}); }).find("particles.pvd: the disk is full"),
+  ASSERT_EQ(symlink("/dev/full", (folder_.path() / "particles.pvd.partial").c_str()), 0);
+  EXPECT_NE(user_error([&] { output->frame(specimen_.view(0), {}); }).find("particles.pvd: No space left on device"),
             std::string::npos);
   EXPECT_FALSE(fs::exists(folder_.path() / "particles.pvd"));
 }

@@ -62,6 +62,15 @@ inline std::string printable(std::string_view text) {
   return out;
 }
 
+/// Whether all texts of it are UTF-8: names of files need not be.
+inline bool is_utf8(const Json& json) {
+  if (json.is_string()) return valid_utf8(json.get_ref<const std::string&>()) == json.get_ref<const std::string&>();
+  for (const Json& member : json)
+    if (member.is_structured() || member.is_string())
+      if (!is_utf8(member)) return false;
+  return true;
+}
+
 /// JSON as it is written to files; what is no UTF-8 in it (of a file's name) becomes U+FFFD.
 inline std::string json_text(const Json& json, int indent = -1) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
