@@ -136,10 +136,9 @@ void attach(const std::string& text, const std::vector<fs::path>& folders, std::
     if (any) return;
     if (taken) throw UserError("a second label for the run " + written + ": `" + label + "`");
   }
-  throw UserError("the label `" + text + "` names none of the runs: write --labels 'LABEL=DIR' for each, such as '" +
-                  (text.find('=') == text.npos ? text : text.substr(0, text.find('='))) + "=" +
-                  folders.front().string() +
-                  "' (labels do not go by position: a shell sorts folders by its own rules)");
+  throw UserError(
+      "the label `" + text + "` names none of the runs: write --labels 'LABEL=DIR' for each, such as 'LABEL=" +
+      folders.front().string() + "' (labels do not go by position: a shell sorts folders by its own rules)");
 }
 
 }  // namespace
