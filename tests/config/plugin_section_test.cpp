@@ -55,12 +55,12 @@ TEST(PluginSection, IsWhatOverridesAndVariantsLeave) {
   chain.whole = true;
   const char* text = "plugins: [mine.so]\nvariants: {v: {plugins: [other.so]}, w: {seed: 2}}";
   chain.files.push_back({"a.yaml", "/a", tree_of(text), {}});
-  EXPECT_EQ(plugin_paths(chain, Overrides{"plugins=[set.so]"}), (Paths{"/a/set.so"});
-  EXPECT_EQ(plugin_paths(chain, Overrides{"plugins.0=set.so"}), (Paths{"/a/set.so"});
+  EXPECT_EQ(plugin_paths(chain, Overrides{"plugins=[set.so]"}), (Paths{"/a/set.so"}));
+  EXPECT_EQ(plugin_paths(chain, Overrides{"plugins.0=set.so"}), (Paths{"/a/set.so"}));
   EXPECT_EQ(plugin_paths(chain, Overrides{"plugins=[]"}), Paths{});
-  EXPECT_EQ(plugin_paths(chain, Overrides{}, "v"), (Paths{"/a/other.so"});
-  EXPECT_EQ(plugin_paths(chain, Overrides{}, "w"), (Paths{"/a/mine.so"});
-  EXPECT_EQ(plugin_paths(chain, Overrides{"plugins=[{path: set.so}]"}, "v"), (Paths{"/a/set.so"});
+  EXPECT_EQ(plugin_paths(chain, Overrides{}, "v"), (Paths{"/a/other.so"}));
+  EXPECT_EQ(plugin_paths(chain, Overrides{}, "w"), (Paths{"/a/mine.so"}));
+  EXPECT_EQ(plugin_paths(chain, Overrides{"plugins=[{path: set.so}]"}, "v"), (Paths{"/a/set.so"}));
   ValuesOnTop study{{"s.yaml", "/s", nullptr, {}}, {{"plugins", {}, tree_of("[study.so]")}}, "", nullptr};
   EXPECT_EQ(plugin_paths(chain, study), (Paths{"/s/study.so"}));
 }
