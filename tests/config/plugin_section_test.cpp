@@ -6,9 +6,9 @@
 namespace breccia {
 namespace {
 
-YamlPtr tree_of(const std::string& text) {
+YamlPtr tree_of(const std::string& text, int source = 0) {
   std::vector<Finding> findings;
-  return parse_yaml(text, {}, findings);
+  return parse_yaml(text, {source, 1, 1}, findings);
 }
 
 using Paths = std::vector<std::filesystem::path>;
@@ -18,7 +18,7 @@ TEST(PluginSection, OfTheWorkflowReplacesThatOfItsBase) {
   BaseChain chain;
   chain.whole = true;
   chain.files.push_back({"a.yaml", "/a", tree_of("plugins: [{path: mine.so}, {path: /x/all}]"), {}});
-  chain.files.push_back({"b.yaml", "/b", tree_of("plugins: [{path: theirs.so}]"), {}});
+  chain.files.push_back({"b.yaml", "/b", tree_of("plugins: [{path: theirs.so}]", 1), {}});
   EXPECT_EQ(plugin_paths(chain), (Paths{"/a/mine.so", "/x/all"}));
 }
 
@@ -26,7 +26,7 @@ TEST(PluginSection, OfTheBaseStartsAtItsFolder) {
   BaseChain chain;
   chain.whole = true;
   chain.files.push_back({"a.yaml", "/a", tree_of("seed: 1"), {}});
-  chain.files.push_back({"b.yaml", "/b", tree_of("plugins: [{path: theirs.so}]"), {}});
+  chain.files.push_back({"b.yaml", "/b", tree_of("plugins: [{path: theirs.so}]", 1), {}});
   EXPECT_EQ(plugin_paths(chain), (Paths{"/b/theirs.so"}));
 }
 
