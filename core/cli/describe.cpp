@@ -3,16 +3,76 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <tuple>
+
 #include "breccia/error.hpp"
 #include "cli/verbs.hpp"
+#include "config/suggest.hpp"
 #include "run/sweep_study.hpp"
 #include "run/workflow.hpp"
 
 namespace breccia::cli {
+namespace {
+
+/// Whether it lies where Breccia's own plugins are, and is of this version.
+bool is_shipped(const PluginInfo& info) {
+  namespace fs = std::filesystem;
+  for (const PluginFolder& folder : default_plugin_folders()) {
+    std::error_code unknown;
+    if (folder.named_by.empty() && fs::equivalent(folder.path, info.file.parent_path(), unknown))
+      return info.version == BRECCIA_VERSION;
+  }
+  return false;
+}
+
+/// KIND/NAME, or a name that one kind alone has.
+std::pair<std::string, std::string> plugin_named(const Registry& registry, const std::string& written) {
+  if (const auto slash = written.find('/'); slash != std::string::npos)
+    return {written.substr(0, slash), written.substr(slash + 1)};
+  std::vector<std::string> found, known = registry.kinds();
+  known.insert(known.end(), {"workflow", "sweep"});
+  for (const std::string& kind : registry.kinds())
+    for (const std::string& name : registry.names(kind)) {
+      if (name == written) found.push_back(kind);
+      known.push_back(name);
+    }
+  if (found.size() == 1) return {found[0], written};
+  if (!found.empty()) {
+    std::vector<std::string> full;
+    for (const std::string& kind : found) full.push_back(kind + "/" + written);
+    throw UserError("there is more than one plugin `" + written + "`: write one of " + list_of(full, 20));
+  }
+  const std::string near = closest(written, known);
+  throw UserError("nothing is called `" + written + "`" + (near.empty() ? "" : "; did you mean `" + near + "`?") +
+                  (near.empty() ? "; " : " ") +
+                  "describe takes KIND/NAME (see `breccia list`), NAME, KIND, `workflow` or `sweep`");
+}
+
+/// The plugins of a kind with what they do.
+int describe_kind(const Registry& registry, const std::string& kind, const std::string& format) {
+  Json all = Json::array();
+  std::string text;
+  for (const std::string& name : registry.names(kind)) {
+    std::string summary;
+    try {
+      summary = registry.documentation(kind, name).summary;
+    } catch (const UserError& e) { summary = std::string("of no use: ") + e.what(); }
+    all.push_back({{"name", name}, {"summary", summary}});
+    text += format == "markdown" ? fmt::format("- `{}/{}`: {}\n", kind, name, summary)
+                                 : fmt::format("{}/{}: {}\n", kind, name, summary);
+  }
+  if (format == "json") fmt::print("{}\n", Json{{"kind", kind}, {"plugins", all}}.dump(2));
+  else fmt::print("{}", text.empty() ? "no " + kind + " plugin was found\n" : text);
+  return ok;
+}
+
+}  // namespace
 
 int describe(const std::string& plugin, const std::string& format) {
   Registry registry;
   std::string kind = "", name = plugin;
+  std::string origin;
   Documentation doc;
   if (plugin == "workflow") {
     Schema<Workflow> schema;
@@ -23,15 +83,21 @@ int describe(const std::string& plugin, const std::string& format) {
     Study::describe(schema);
     doc = schema.documentation();
   } else {
-    const auto slash = plugin.find('/');
-    if (slash == std::string::npos)
-      throw UserError("describe needs KIND/NAME (see `breccia list`) or `workflow` or `sweep`, not `" + plugin + "`");
-    kind = plugin.substr(0, slash);
-    name = plugin.substr(slash + 1);
+    const std::vector<std::string>& kinds = registry.kinds();
+    if (std::find(kinds.begin(), kinds.end(), plugin) != kinds.end()) return describe_kind(registry, plugin, format);
+    std::tie(kind, name) = plugin_named(registry, plugin);
     doc = registry.documentation(kind, name);
+    const PluginInfo& info = registry.info(kind, name);
+    if (!is_shipped(info)) {
+      origin = "file: " + info.file.string() + "\nversion: " + info.version + "\n";
+      // The schema's own default is Breccia's licence: of another author's plugin it says nothing.
+      if (doc.licence == Documentation().licence) doc.licence.clear();
+    }
   }
   if (format == "json") fmt::print("{}\n", describe_json(kind, name, doc).dump(2));
-  else fmt::print("{}", format == "markdown" ? describe_markdown(kind, name, doc) : describe_text(kind, name, doc));
+  else
+    fmt::print("{}{}", format == "text" ? origin : "",
+               format == "markdown" ? describe_markdown(kind, name, doc) : describe_text(kind, name, doc));
   return ok;
 }
 

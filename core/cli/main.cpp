@@ -1,15 +1,54 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 
 #include "breccia/utf8.hpp"
 #include "cli/verbs.hpp"
+#include "config/suggest.hpp"
 
 namespace {
 
 using namespace breccia;
+
+/// "; did you mean `x`?", or what there is.
+std::string hint(const std::string& written, const std::vector<std::string>& known) {
+  const std::string near = closest(written, known);
+  return near.empty() ? "; there are " + list_of(known, 40) : "; did you mean `" + near + "`?";
+}
+
+/// Why the first word is no verb; empty when it is one, or an option.
+std::string unknown_verb(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return {};
+  std::vector<std::string> verbs;
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+    verbs.push_back(verb->get_name());
+  const std::string word = argv[1];
+  if (std::find(verbs.begin(), verbs.end(), word) != verbs.end()) return {};
+  return "breccia: unknown verb `" + word + "`" + hint(word, verbs) + " (`breccia --help`)";
+}
+
+/// Names the first option that the verb does not have; empty when there is none: the mistake is another one.
+std::string unknown_option(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return {};
+  std::vector<std::string> known;
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+    if (verb->get_name() == argv[1])
+      for (const CLI::Option* option : verb->get_options())
+        if (!option->get_group().empty())
+          for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  for (int k = 2; k < argc; ++k) {
+    const std::string word = std::string(argv[k]).substr(0, std::string(argv[k]).find('='));
+    if (word == "--") return {};
+    if (word == "--expect" || word == "--parent") continue;  // of studies, for their own processes
+    if (!word.starts_with("--") || std::find(known.begin(), known.end(), word) != known.end()) continue;
+    return "breccia " + std::string(argv[1]) + ": unknown option `" + word + "`" + hint(word, known) + " (`breccia " +
+           argv[1] + " --help`)";
+  }
+  return {};
+}
 
 int dispatch(int argc, char** argv) {
   CLI::App app{"Breccia: bonded-particle mechanics of rock and concrete"};
@@ -33,10 +72,13 @@ int dispatch(int argc, char** argv) {
 
   std::vector<std::filesystem::path> files;
   std::vector<std::string> overrides;
+  std::string variant;
   verb = app.add_subcommand("validate", "Check workflows without running them");
   verb->add_option("FILE", files, "workflows")->required();
   verb->add_option("--set", overrides, "replace a value, as for run")->expected(1)->take_all();
-  verb->callback([&] { code = cli::validate(files, overrides); });
+  verb->add_option("--variant", variant,
+                   "only this of the workflows' `variants`; default: the workflow and each of them");
+  verb->callback([&] { code = cli::validate(files, overrides, variant); });
 
   std::string kind;
   verb = app.add_subcommand("list", "List the plugins");
@@ -45,7 +87,8 @@ int dispatch(int argc, char** argv) {
 
   std::string plugin, format = "text";
   verb = app.add_subcommand("describe", "Describe a plugin and its parameters");
-  verb->add_option("PLUGIN", plugin, "KIND/NAME, or workflow for the keys of a workflow, or sweep for those of a study")
+  verb->add_option("PLUGIN", plugin,
+                   "KIND/NAME, or NAME alone; a KIND for its plugins; workflow or sweep for the keys of these files")
       ->required();
   verb->add_option("--format", format, "text, markdown or json")->check(CLI::IsMember({"text", "markdown", "json"}));
   verb->callback([&] { code = cli::describe(plugin, format); });
@@ -64,11 +107,13 @@ int dispatch(int argc, char** argv) {
   verb->footer(
       "Makes comparison.csv (every number of every run), comparison.md (a table to read, with each run's\n"
       "reference values and the distance in per cent) and charts of the runs' curves over each other.\n"
-      "Example: breccia compare results/model_1 results/model_2 --labels \"model 1,model 2\" -o results/models");
-  verb->add_option("DIR", compare.folders, "result folders of finished runs")->required();
+      "Example: breccia compare results/model_1 results/model_2 --labels \"model 1=results/model_1\" -o "
+      "results/models");
+  verb->add_option("DIR", compare.folders, "result folders of finished runs; that of a study stands for its cases")
+      ->required();
   verb->add_option("-o,--output", compare.output, "folder of the comparison")->capture_default_str();
   verb->add_option("--labels", compare.labels,
-                   "names of the runs, in their order: a,b or once for each; default: the folders' names")
+                   "names of runs: LABEL=DIR,LABEL=DIR or once for each; default: the folders' names")
       ->expected(1)
       ->take_all()
       ->delimiter(',');
@@ -149,9 +194,14 @@ int dispatch(int argc, char** argv) {
       ->capture_default_str();
   verb->callback([&] { code = cli::schema(schema_of); });
 
+  if (const std::string text = unknown_verb(app, argc, argv); !text.empty()) throw UserError(text);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) { return app.exit(e) == 0 ? cli::ok : cli::bad_input; }
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() != 0)
+      if (const std::string text = unknown_option(app, argc, argv); !text.empty()) throw UserError(text);
+    return app.exit(e) == 0 ? cli::ok : cli::bad_input;
+  }
   return code;
 }
 

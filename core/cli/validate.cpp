@@ -9,20 +9,28 @@
 
 namespace breccia::cli {
 
-int validate(const std::vector<std::filesystem::path>& files, const std::vector<std::string>& overrides) {
+int validate(const std::vector<std::filesystem::path>& files, const std::vector<std::string>& overrides,
+             const std::string& variant) {
   int code = ok;
   for (const auto& file : files) {
     try {
       if (is_study(follow_bases(read_text(file), file.string()))) {
+        if (!variant.empty())
+          throw UserError(file.string() +
+                          ": is a study, whose cases say themselves which variant they are: leave out "
+                          "--variant");
         const std::size_t cases = plan(Sweep(file)).cases.size();
         fmt::print("{}: ok, a study of {} cases\n", printable(file.string()), cases);
         continue;
       }
-      std::vector<std::string> variants = workflow_variants(file);
-      variants.insert(variants.begin(), "");
-      for (const std::string& variant : variants) {
+      std::vector<std::string> variants{variant};
+      if (variant.empty()) {
+        const std::vector<std::string> all = workflow_variants(file);
+        variants.insert(variants.end(), all.begin(), all.end());
+      }
+      for (const std::string& each : variants) {
         Registry registry;  // one each: plugins named by one workflow must not help another
-        load_workflow(file, overrides, registry, variant);
+        load_workflow(file, overrides, registry, each);
       }
       fmt::print("{}: ok\n", printable(file.string()));
     } catch (const UserError& e) {

@@ -53,7 +53,8 @@ struct SweepArguments {
 };
 
 int run(const RunArguments& arguments);
-int validate(const std::vector<std::filesystem::path>& files, const std::vector<std::string>& overrides);
+int validate(const std::vector<std::filesystem::path>& files, const std::vector<std::string>& overrides,
+             const std::string& variant);  ///< empty: the workflow and each of its variants
 int list(const std::string& kind);
 int describe(const std::string& plugin, const std::string& format);
 int render(const RenderArguments& arguments);

@@ -40,6 +40,8 @@ struct PlacedValue {
 struct ValuesOnTop {
   InputFile file;
   std::vector<PlacedValue> values;  ///< whatever source their places name: it is `file`
+  std::string variant;              ///< of the workflow, laid over it before the values; empty: none
+  YamlPtr changes;                  ///< of that variant when the workflow itself does not have it
 };
 
 /// Never throws for what is in the files: it becomes findings.

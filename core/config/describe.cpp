@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "config/describe.hpp"
 
+#include "config/shorthand.hpp"
 #include "config/units.hpp"
 
 namespace breccia {
@@ -33,6 +34,8 @@ std::string value_text(const ParamSpec& spec) {
     case ParamType::text_list:
       return join({"list of texts", items_text(spec)}, ", ");
     case ParamType::group_list:
+      if (const ParamSpec* key = shorthand_member(spec))
+        return join({"list of mappings, or of their `" + key->name + "` alone", items_text(spec)}, ", ");
       return join({"list of mappings", items_text(spec)}, ", ");
     case ParamType::plugin:
       return "one " + spec.plugin_kind;
@@ -196,7 +199,7 @@ std::string default_text(const ParamSpec& spec) {
 std::string describe_text(const std::string& kind, const std::string& name, const Documentation& doc) {
   std::string out = kind + " " + name + ": " + doc.summary + "\n";
   if (!doc.source.empty()) out += "source: " + doc.source + "\n";
-  out += "licence: " + doc.licence + "\n";
+  if (!doc.licence.empty()) out += "licence: " + doc.licence + "\n";
   if (!doc.details.empty()) out += "\n" + doc.details + "\n";
   out += "\nparameters:" + std::string(doc.root.members.empty() ? " none" : "") + "\n";
   add_text(out, doc.root, 2);
@@ -207,7 +210,8 @@ std::string describe_markdown(const std::string& kind, const std::string& name, 
   std::string out = "### " + kind + " `" + name + "`\n\n" + doc.summary + "\n\n";
   if (!doc.details.empty()) out += doc.details + "\n\n";
   if (!doc.source.empty()) out += "Source: " + doc.source + ". ";
-  out += "Licence: " + doc.licence + ".\n\n";
+  if (!doc.licence.empty()) out += "Licence: " + doc.licence + ".";
+  out += "\n\n";
   if (doc.root.members.empty()) return out + "No parameters.\n";
   out += "| parameter | value | range | default | meaning |\n|---|---|---|---|---|\n";
   add_rows(out, doc.root, "");
@@ -219,6 +223,7 @@ std::string describe_markdown(const std::string& kind, const std::string& name, 
 Json describe_json(const std::string& kind, const std::string& name, const Documentation& doc) {
   Json j = {{"kind", kind},           {"name", name},         {"summary", doc.summary},
             {"details", doc.details}, {"source", doc.source}, {"licence", doc.licence}};
+  if (doc.licence.empty()) j["licence"] = nullptr;
   add_members_json(j, doc.root);
   return j;
 }

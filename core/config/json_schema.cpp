@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "config/describe.hpp"
+#include "config/shorthand.hpp"
 #include "config/to_yaml.hpp"
 #include "config/units.hpp"
 
@@ -154,7 +155,7 @@ class SchemaWriter {
       case ParamType::group:
         return group(spec, extent);
       case ParamType::group_list:
-        return list(group(spec, Extent::whole), spec);
+        return list(list_item(spec), spec);
       case ParamType::plugin:
         return plugin(spec, extent);
       case ParamType::plugin_list:
@@ -163,6 +164,13 @@ class SchemaWriter {
         return {{"type", "object"}};
     }
     return true;
+  }
+
+  /// A mapping, or the value of its only key.
+  Json list_item(const ParamSpec& spec) const {
+    const ParamSpec* const only_key = shorthand_member(spec);
+    if (!only_key) return group(spec, Extent::whole);
+    return {{"anyOf", Json::array({value(*only_key, Extent::whole), group(spec, Extent::whole)})}};
   }
 
   static Json text() { return {{"type", Json::array({"string", "number", "boolean"})}}; }

@@ -2,6 +2,10 @@
 #include "config/merge.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <span>
+
+#include "config/to_yaml.hpp"
 
 namespace breccia {
 
@@ -58,6 +62,35 @@ class Merger {
     return copy;
   }
 
+  /// See `fill_defaults`.
+  YamlPtr fill(const ParamSpec* spec, const YamlPtr& node, std::span<const PathStep> steps) const {
+    if (!spec || steps.size() < 2) return node;
+    auto copy = std::make_shared<YamlNode>(*node);
+    if (node->kind == YamlNode::Kind::sequence) {
+      std::size_t index = node->items.size();
+      std::from_chars(steps[0].name.data(), steps[0].name.data() + steps[0].name.size(), index);
+      if (index < node->items.size()) copy->items[index] = fill(spec, node->items[index], steps.subspan(1));
+      return copy;
+    }
+    const ParamSpec* member =
+        node->kind == YamlNode::Kind::mapping ? member_of(group_of(spec, *node), steps[0].name) : nullptr;
+    if (!member) return node;
+    if (!node->find(member->name)) {
+      const bool is_other_plugin = member->type == ParamType::plugin && steps[1].name == "type";
+      const bool is_list_or_filled =
+          member->fallback.is_array() || (member->fallback.is_object() && !member->fallback.empty());
+      if (is_other_plugin || !is_list_or_filled) return node;
+      try {
+        copy->entries.push_back({member->name, node->place, yaml_of(*member, member->fallback, plugins_, node->place)});
+      } catch (const UserError&) {
+        return node;  // of a plugin that nobody knows: reported where the section is read
+      }
+    }
+    for (YamlEntry& entry : copy->entries)
+      if (entry.key == member->name) entry.value = fill(member, entry.value, steps.subspan(1));
+    return copy;
+  }
+
  private:
   YamlPtr merge_entries(const ParamSpec* group, const YamlNode& below, const YamlNode& above) const {
     auto merged = std::make_shared<YamlNode>(below);
@@ -107,6 +140,12 @@ YamlPtr merge(const ParamSpec& spec, const YamlPtr& below, const YamlPtr& above,
 
 YamlPtr drop_replaced(const ParamSpec& spec, const YamlPtr& tree, int on_top, const PluginDirectory& plugins) {
   return Merger(plugins).drop_replaced(&spec, tree, on_top);
+}
+
+YamlPtr fill_defaults(const ParamSpec& spec, const YamlPtr& tree, std::string_view path,
+                      const PluginDirectory& plugins) {
+  const std::vector<PathStep> steps = split_path(path);
+  return Merger(plugins).fill(&spec, tree, steps);
 }
 
 }  // namespace breccia

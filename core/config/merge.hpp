@@ -18,4 +18,9 @@ YamlPtr merge(const ParamSpec& spec, const YamlPtr& below, const YamlPtr& above,
 /// later: of parameters that exclude each other, one given so drops the others.
 YamlPtr drop_replaced(const ParamSpec& spec, const YamlPtr& tree, int on_top, const PluginDirectory& plugins);
 
+/// The tree with the defaults written out that `path` ("postprocessors.0.every") leads into, so that a value given
+/// there replaces a part of the default and not the whole. Where nothing is defaulted on the way, the tree as it is.
+YamlPtr fill_defaults(const ParamSpec& spec, const YamlPtr& tree, std::string_view path,
+                      const PluginDirectory& plugins);
+
 }  // namespace breccia

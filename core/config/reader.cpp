@@ -118,36 +118,91 @@ std::vector<std::string> variants_of(const BaseChain& chain) {
   return names;
 }
 
-Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins,
-                 const ValuesOnTop& on_top) {
+namespace {
+
+/// A workflow with all that is laid over its files, not yet checked.
+struct Laid {
+  YamlPtr tree;
+  std::vector<InputFile> files;  ///< sources of the places; those beyond them are overrides
   std::vector<Finding> findings;
-  YamlPtr tree = merged(chain, root, plugins, {}, findings);
-  std::vector<InputFile> files = chain.files;
-  const int source = int(files.size());
-  files.push_back(on_top.file);
-  files.back().on_top = true;
-  if (tree->kind == YamlNode::Kind::mapping)
+};
+
+Laid laid(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins, const ValuesOnTop& on_top) {
+  Laid all{nullptr, chain.files, {}};
+  all.tree = merged(chain, root, plugins, on_top.changes ? "" : on_top.variant, all.findings);
+  if (on_top.changes) all.tree = merge(root, all.tree, with_source(on_top.changes, int(all.files.size())), plugins);
+  const int source = int(all.files.size());
+  all.files.push_back(on_top.file);
+  all.files.back().on_top = true;
+  if (all.tree->kind == YamlNode::Kind::mapping)
     for (const PlacedValue& given : on_top.values) {
       PlacedValue here = given;
       here.place.source = source;
       here.value = with_source(given.value, source);
-      tree = apply_value(tree, here, findings);
+      all.tree = apply_value(fill_defaults(root, all.tree, here.path, plugins), here, all.findings);
     }
-  tree = drop_replaced(root, tree, source, plugins);
-  return checked(tree, files, std::move(findings), root, plugins);
+  all.tree = drop_replaced(root, all.tree, source, plugins);
+  return all;
+}
+
+Laid laid(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins,
+          const std::vector<std::string>& overrides, const std::string& variant) {
+  Laid all{nullptr, chain.files, {}};
+  all.tree = merged(chain, root, plugins, variant, all.findings);
+  const int command_line = int(chain.files.size());
+  if (all.tree->kind == YamlNode::Kind::mapping)
+    for (std::size_t k = 0; k < overrides.size(); ++k) {
+      const Place place{command_line, int(k) + 1, 1};
+      const std::string path = overrides[k].substr(0, overrides[k].find('='));
+      all.tree = apply_override(fill_defaults(root, all.tree, path, plugins), overrides[k], place, all.findings);
+    }
+  all.tree = drop_replaced(root, all.tree, command_line, plugins);
+  return all;
+}
+
+/// Knows none: what is read before the plugins are known.
+struct NoPlugins final : PluginDirectory {
+  std::vector<std::string> names(const std::string&) const override { return {}; }
+  const Documentation& documentation(const std::string& kind, const std::string& name) const override {
+    throw UserError("no " + kind + " `" + name + "` is known yet");
+  }
+  Issues check(const std::string&, const std::string&, const Json&) const override { return {}; }
+};
+
+Json section_of(const Laid& all, const ParamSpec& root, const std::string& name) {
+  const auto member =
+      std::find_if(root.members.begin(), root.members.end(), [&](const ParamSpec& m) { return m.name == name; });
+  BRECCIA_ASSERT(member != root.members.end());
+  const YamlEntry* entry = all.tree->kind == YamlNode::Kind::mapping ? all.tree->find(name) : nullptr;
+  if (!entry) return nullptr;
+  const NoPlugins none;
+  SectionReader reader(none, all.files, root, *all.tree);
+  Json section = reader.read(*member, *entry->value, {name, entry->place});
+  return reader.findings().empty() ? section : Json();
+}
+
+}  // namespace
+
+Json read_section(const BaseChain& chain, const ParamSpec& root, const std::string& name,
+                  const std::vector<std::string>& overrides, const std::string& variant) {
+  return section_of(laid(chain, root, NoPlugins(), overrides, variant), root, name);
+}
+
+Json read_section(const BaseChain& chain, const ParamSpec& root, const std::string& name, const ValuesOnTop& on_top) {
+  return section_of(laid(chain, root, NoPlugins(), on_top), root, name);
+}
+
+Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins,
+                 const ValuesOnTop& on_top) {
+  Laid all = laid(chain, root, plugins, on_top);
+  return checked(all.tree, all.files, std::move(all.findings), root, plugins);
 }
 
 Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins,
                  const std::vector<std::string>& overrides, const std::function<Issues(const Json&)>& root_rules,
                  const std::string& variant) {
-  std::vector<Finding> findings;
-  YamlPtr tree = merged(chain, root, plugins, variant, findings);
-  const int command_line = int(chain.files.size());
-  if (tree->kind == YamlNode::Kind::mapping)
-    for (std::size_t k = 0; k < overrides.size(); ++k)
-      tree = apply_override(tree, overrides[k], {command_line, int(k) + 1, 1}, findings);
-  tree = drop_replaced(root, tree, command_line, plugins);
-  return checked(tree, chain.files, std::move(findings), root, plugins, root_rules);
+  Laid all = laid(chain, root, plugins, overrides, variant);
+  return checked(all.tree, all.files, std::move(all.findings), root, plugins, root_rules);
 }
 
 Json read_config(const std::string& yaml_text, const std::string& file_name, const ParamSpec& root,

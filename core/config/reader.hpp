@@ -37,6 +37,13 @@ std::vector<std::string> variants_of(const BaseChain& chain);
 Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins,
                  const ValuesOnTop& on_top);
 
+/// One member of `root` alone, by the same way of merging, variant and overrides included, and in the same form: for
+/// what must be known before the plugins are (the section that names them). Null when it is absent or not in order,
+/// which `read_config` then reports with everything else; nothing in it may depend on a plugin.
+Json read_section(const BaseChain& chain, const ParamSpec& root, const std::string& name,
+                  const std::vector<std::string>& overrides = {}, const std::string& variant = {});
+Json read_section(const BaseChain& chain, const ParamSpec& root, const std::string& name, const ValuesOnTop& on_top);
+
 /// What was found, in the order of the places, of which `files` are the sources.
 std::vector<Problem> problems_of(std::vector<Finding> findings, const std::vector<InputFile>& files);
 

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "config/section_reader.hpp"
+#include "config/shorthand.hpp"
 #include "config/suggest.hpp"
 #include "config/to_yaml.hpp"
 #include "config/yaml_syntax.hpp"
@@ -184,12 +185,25 @@ Json SectionReader::read_list(const ParamSpec& spec, const YamlNode& node, const
               : spec.type == ParamType::group_list  ? ParamType::group
                                                     : ParamType::plugin;
   item.required = true;
+  const ParamSpec* const only_key = shorthand_member(spec);
   Json all = Json::array();
   for (std::size_t k = 0; k < count; ++k) {
-    const Place place = node.items[k]->place;
-    all.push_back(read(item, *node.items[k], {item_path(site.path, k), place}));
+    const YamlPtr& given = node.items[k];
+    const Site item_site{item_path(site.path, k), given->place};
+    all.push_back(read(item, only_key ? *written_out(*only_key, given) : *given, item_site));
   }
   return all;
+}
+
+/// An item in its short form as the mapping that it stands for. `path:x.so`, which lacks a space, is left to the
+/// reader of mappings, whose message says so.
+YamlPtr SectionReader::written_out(const ParamSpec& only_key, const YamlPtr& item) {
+  if (item->kind != YamlNode::Kind::scalar || (item->plain && item->text.starts_with(only_key.name + ":"))) return item;
+  auto mapping = std::make_shared<YamlNode>();
+  mapping->kind = YamlNode::Kind::mapping;
+  mapping->place = item->place;
+  mapping->entries.push_back({only_key.name, item->place, item});
+  return mapping;
 }
 
 /// The name in `type:`, or null after a finding.

@@ -5,6 +5,7 @@
 
 #include "config/number.hpp"
 #include "config/section_reader.hpp"
+#include "config/shorthand.hpp"
 #include "config/suggest.hpp"
 #include "config/units.hpp"
 
@@ -44,6 +45,13 @@ std::string example_line(const ParamSpec& spec) {
   return value.empty() ? std::string() : spec.name + ": " + value;
 }
 
+namespace {
+
+/// What stands for a value in the pattern of a line.
+std::string placeholder(const ParamSpec& spec) { return spec.type == ParamType::path ? "FILE" : "VALUE"; }
+
+}  // namespace
+
 std::string wanted_value(const ParamSpec& spec) {
   switch (spec.type) {
     case ParamType::quantity:
@@ -65,6 +73,8 @@ std::string wanted_value(const ParamSpec& spec) {
     case ParamType::group:
       return "a mapping (`key: value` lines)";
     case ParamType::group_list:
+      if (const ParamSpec* key = shorthand_member(spec))
+        return "a list of `- " + key->name + ": " + placeholder(*key) + "` or `- " + placeholder(*key) + "` items";
       return "a list (`- ` items) of mappings";
     case ParamType::plugin:
       return "a mapping that begins with `type: NAME`";

@@ -36,6 +36,7 @@ class SectionReader {
  private:
   // reader_sections.cpp
   Json read_list(const ParamSpec& spec, const YamlNode& node, const Site& site);
+  static YamlPtr written_out(const ParamSpec& only_key, const YamlPtr& item);
   Json read_plugin(const ParamSpec& spec, const YamlNode& node, const Site& site);
   Json read_plugin_type(const ParamSpec& spec, const YamlNode& node, const Site& site);
   bool check_mapping(const YamlNode& node, const Site& site, const ParamSpec& spec);

@@ -81,8 +81,10 @@ Quantity read_quantity(std::string_view written, const std::string& si_unit) {
   const DecimalText number = read_number(text);
   const std::string_view rest = text.substr(number.length), unit = trimmed(rest);
   if (unit.empty() && si_unit != "1") {
-    const std::string example = std::string(text) + " " + usual_unit(si_unit);
-    throw UserError(in_ticks(text) + " needs a unit: write for instance " + in_ticks(example));
+    // The number as it stands is most likely meant in SI: with any other unit the advice would change its value.
+    const std::string in_si = std::string(text) + " " + si_unit;
+    throw UserError(in_ticks(text) + " needs a unit: write " + in_ticks(in_si) + " if that is meant; " +
+                    needed(wanted.dimension, si_unit) + " is needed");
   }
   Quantity quantity;
   quantity.unit = unit;

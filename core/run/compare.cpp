@@ -97,17 +97,62 @@ std::vector<fs::path> draw(const std::vector<ComparedRun>& runs, const Compariso
 
 }  // namespace
 
-std::vector<ComparedRun> read_runs(const std::vector<fs::path>& folders, const std::vector<std::string>& labels) {
-  if (!labels.empty() && labels.size() != folders.size())
-    throw UserError(std::to_string(labels.size()) + (labels.size() == 1 ? " label" : " labels") + " for " +
-                    std::to_string(folders.size()) + (folders.size() == 1 ? " run" : " runs") +
-                    ": give one --labels for each folder, in the same order, or none");
+namespace {
+
+/// The cases of a study in its own order, which results.csv has; a run stands for itself.
+std::vector<fs::path> runs_in(const fs::path& folder) {
+  std::error_code error;
+  if (fs::exists(folder / "summary.json", error) || !fs::is_directory(folder / "cases", error)) return {folder};
+  std::vector<fs::path> all;
+  for (const auto& entry : fs::directory_iterator(folder / "cases", error))
+    if (fs::exists(entry.path() / "summary.json", error)) all.push_back(folder / "cases" / entry.path().filename());
+  if (all.empty()) throw UserError("no case of the study in " + folder.string() + " has finished");
+  std::ifstream in(folder / "results.csv", std::ios::binary);
+  const std::string table = "," + std::string(std::istreambuf_iterator<char>(in), {});
+  const auto rank = [&](const fs::path& f) { return table.find("," + f.filename().string() + ","); };
+  std::sort(all.begin(), all.end(),
+            [&](const fs::path& a, const fs::path& b) { return std::pair(rank(a), a) < std::pair(rank(b), b); });
+  return all;
+}
+
+/// Gives the run that `text` ("LABEL=DIR") names its label. The order of the folders on a command line is often the
+/// shell's, so that a label never goes by its position.
+void attach(const std::string& text, const std::vector<fs::path>& folders, std::vector<std::string>& labels,
+            std::vector<bool>& is_labelled) {
+  for (std::size_t at = text.find('='); at != text.npos; at = text.find('=', at + 1)) {
+    const std::string label = text.substr(0, at), written = text.substr(at + 1);
+    const auto same = [&](const fs::path& f) { return f == written || plain(f) == plain(written); };
+    bool any = false, taken = false;
+    for (std::size_t k = 0; !written.empty() && k < folders.size(); ++k) {
+      if (!same(folders[k])) continue;
+      if (label.empty())
+        throw UserError("the label of " + folders[k].string() + " is empty: --labels LABEL=" + folders[k].string());
+      if (taken = is_labelled[k]; taken) continue;
+      labels[k] = label;
+      any = is_labelled[k] = true;
+      break;  // a folder given twice takes its labels one after the other
+    }
+    if (any) return;
+    if (taken) throw UserError("a second label for the run " + written + ": `" + label + "`");
+  }
+  throw UserError(
+      "the label `" + text + "` names none of the runs: write --labels 'LABEL=DIR' for each, such as 'LABEL=" +
+      folders.front().string() + "' (labels do not go by position: a shell sorts folders by its own rules)");
+}
+
+}  // namespace
+
+std::vector<ComparedRun> read_runs(const std::vector<fs::path>& given, const std::vector<std::string>& labels) {
+  std::vector<fs::path> folders;
+  for (const fs::path& folder : given)
+    for (const fs::path& run : runs_in(folder)) folders.push_back(run);
   std::vector<ComparedRun> runs;
   for (const fs::path& folder : folders) runs.push_back({folder, "", read_summary(folder)});
-  std::vector<std::string> names = labels.empty() ? folder_labels(folders) : labels;
+  std::vector<std::string> names = folder_labels(folders);
+  std::vector<bool> is_labelled(folders.size());
+  for (const std::string& label : labels) attach(label, folders, names, is_labelled);
   number_repeated(names);
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    if (names[k].empty()) throw UserError("the label of " + folders[k].string() + " is empty: name it with --labels");
     runs[k].label = names[k];
     const auto it = runs[k].summary.find("interrupted");
     runs[k].interrupted = it != runs[k].summary.end() && *it == true;

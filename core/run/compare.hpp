@@ -19,8 +19,9 @@ struct ComparedRun {
   bool interrupted = false;
 };
 
-/// Reads the summaries. Without labels the folders' names are taken; a name met twice is given with that of its parent,
-/// a label still met twice with a number. UserError for what is not the folder of a finished run.
+/// Reads the summaries; the folder of a study stands for its cases that have finished. A label is `LABEL=DIR` and names
+/// its run itself: order does not count. Without one the folder's name is taken; a name met twice is given with that of
+/// its parent, a label still met twice with a number. UserError for what is not the folder of a finished run.
 std::vector<ComparedRun> read_runs(const std::vector<std::filesystem::path>& folders,
                                    const std::vector<std::string>& labels);
 

@@ -1,21 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/plugin_section.hpp"
 
+#include "config/reader.hpp"
+#include "run/workflow.hpp"
+
 namespace breccia {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> plugin_paths(const BaseChain& chain) {
+namespace {
+
+std::vector<fs::path> paths_in(const Json& section) {
   std::vector<fs::path> paths;
-  for (const InputFile& file : chain.files) {
-    const YamlEntry* section = file.tree ? file.tree->find("plugins") : nullptr;
-    if (!section) continue;
-    for (const YamlPtr& item : section->value->items)
-      if (const YamlEntry* path = item->find("path"); path && path->value->kind == YamlNode::Kind::scalar)
-        paths.push_back(file.folder / path->value->text);
-    break;
-  }
+  for (const Json& item : section) paths.push_back(item.at("path").get<std::string>());
   return paths;
+}
+
+}  // namespace
+
+std::vector<fs::path> plugin_paths(const BaseChain& chain, const std::vector<std::string>& overrides,
+                                   const std::string& variant) {
+  if (!chain.whole) return {};
+  return paths_in(read_section(chain, workflow_schema(), "plugins", overrides, variant));
+}
+
+std::vector<fs::path> plugin_paths(const BaseChain& chain, const ValuesOnTop& on_top) {
+  if (!chain.whole) return {};
+  return paths_in(read_section(chain, workflow_schema(), "plugins", on_top));
 }
 
 }  // namespace breccia

@@ -49,7 +49,8 @@ Json content_of(const fs::path& file) {
 }
 
 std::string input_hash(Json config, const Registry& registry) {
-  for (const char* key : {"name", "description", "reference", "provenance", "plugins"}) config.erase(key);
+  for (const char* key : {"name", "description", "reference", "provenance"}) config.erase(key);
+  if (config.contains("plugins") && config["plugins"].empty()) config.erase("plugins");
   each_value(config, workflow_schema(), registry, [](const ParamSpec& spec, const std::string&, Json& value) {
     if (spec.type == ParamType::path) value = content_of(value.get<std::string>());
   });
@@ -80,6 +81,38 @@ std::string normal(const std::string& path) {
 
 }  // namespace
 
+namespace {
+
+/// A study that gives `variants` a name means that variant of the workflow: it is laid over the workflow before the
+/// study's other values, as `--variant` would have it. `{name: changes}` is a variant that the study itself defines.
+void take_variant(ValuesOnTop& on_top) {
+  std::vector<PlacedValue> rest;
+  for (PlacedValue& v : on_top.values) {
+    if (v.path != "variants" && v.path != "variant") {
+      rest.push_back(std::move(v));
+      continue;
+    }
+    const YamlNode& value = *v.value;
+    const bool is_name = value.kind == YamlNode::Kind::scalar && !value.text.empty();
+    const bool is_own = value.kind == YamlNode::Kind::mapping && value.entries.size() == 1 &&
+                        value.entries[0].value->kind == YamlNode::Kind::mapping;
+    if (!is_name && !is_own)
+      refuse(
+          {{value.place, v.path,
+            "must be the name of one of the workflow's `variants`, or one mapping `{name: changes}`, for each case"}},
+          {on_top.file});
+    if (!on_top.variant.empty()) refuse({{v.place, v.path, "a second variant: a case has one"}}, {on_top.file});
+    on_top.variant = is_name ? value.text : value.entries[0].key;
+    if (!is_own) continue;
+    on_top.changes = value.entries[0].value;
+    if (const YamlEntry* inner = on_top.changes->find("variants"))
+      refuse({{inner->place, v.path, "a variant has no variants of its own"}}, {on_top.file});
+  }
+  on_top.values = std::move(rest);
+}
+
+}  // namespace
+
 Sweep::Sweep(const fs::path& file) : study_(load_study(file, Registry())) {
   read_workflows();
   name_cases();
@@ -88,10 +121,10 @@ Sweep::Sweep(const fs::path& file) : study_(load_study(file, Registry())) {
 void Sweep::read_workflows() {
   std::vector<Finding> findings;
   for (std::size_t k = 0; k < study_.workflow_files.size(); ++k) {
-    Source source{{}, std::make_unique<Registry>()};
+    BaseChain source;
     try {
-      source.chain = follow_bases(read_text(study_.workflow_files[k]), study_.workflow_files[k]);
-      for (const fs::path& path : plugin_paths(source.chain)) source.registry->add(path);
+      source = follow_bases(read_text(study_.workflow_files[k]), study_.workflow_files[k]);
+      registry_with(plugin_paths(source, {study_.file, study_.fixed, {}, {}}));
     } catch (const UserError& e) {
       const std::string path = has_workflows() ? "workflows[" + std::to_string(k) + "].file" : "workflow";
       findings.push_back({study_.workflow_places[k], path, e.what()});
@@ -128,21 +161,41 @@ const SweepCase& Sweep::find(const std::string& name) const {
                   std::to_string(cases_.size()) + " (see --cases)");
 }
 
-ResolvedCase Sweep::resolve(const SweepCase& c) const {
-  const Source& source = sources_[c.workflow];
-  ValuesOnTop on_top{study_.file, study_.fixed};
+const Registry& Sweep::registry_with(const std::vector<fs::path>& plugins) const {
+  auto& registry = registries_[plugins];
+  if (!registry) {
+    auto fresh = std::make_unique<Registry>();
+    for (const fs::path& path : plugins) fresh->add(path);
+    registry = std::move(fresh);
+  }
+  return *registry;
+}
+
+ValuesOnTop Sweep::values_of(const SweepCase& c) const {
+  ValuesOnTop on_top{study_.file, study_.fixed, {}, {}};
   const StudyPoint& point = study_.points[c.point];
   on_top.values.insert(on_top.values.end(), point.begin(), point.end());
+  take_variant(on_top);
+  return on_top;
+}
+
+const Registry& Sweep::registry(const SweepCase& c) const {
+  return registry_with(plugin_paths(sources_[c.workflow], values_of(c)));
+}
+
+ResolvedCase Sweep::resolve(const SweepCase& c) const {
+  const StudyPoint& point = study_.points[c.point];
+  const Registry& plugins = registry(c);
   ResolvedCase resolved;
-  resolved.loaded = load_workflow(source.chain, on_top, *source.registry);
+  resolved.loaded = load_workflow(sources_[c.workflow], values_of(c), plugins);
   Json& config = resolved.loaded.config;
-  resolved.hash = input_hash(config, *source.registry);
+  resolved.hash = input_hash(config, plugins);
   for (const PlacedValue& v : point) {
     const Json* value = value_at(config, split_path(v.path));
     resolved.inputs.push_back(value ? *value : Json(value_text(*v.value)));
     resolved.units.push_back("1");
     const std::string wanted = normal(v.path);
-    each_value(config, workflow_schema(), *source.registry, [&](const ParamSpec& spec, const std::string& path, Json&) {
+    each_value(config, workflow_schema(), plugins, [&](const ParamSpec& spec, const std::string& path, Json&) {
       const std::string here = normal(path);
       const bool is_quantity = spec.type == ParamType::quantity || spec.type == ParamType::quantity_list;
       if (is_quantity && (here == wanted || wanted.starts_with(here + ".")) && resolved.inputs.back().is_number())

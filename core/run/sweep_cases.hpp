@@ -2,6 +2,7 @@
 /// The cases of a study: one workflow at one of its points each.
 #pragma once
 
+#include <map>
 #include <memory>
 
 #include "run/sweep_study.hpp"
@@ -31,7 +32,8 @@ class Sweep {
   const LoadedStudy& study() const { return study_; }
   const std::vector<SweepCase>& cases() const { return cases_; }
   bool has_workflows() const { return !study_.workflow_names[0].empty(); }
-  const Registry& registry(const SweepCase& c) const { return *sources_[c.workflow].registry; }
+  /// Of the plugins that this case's workflow names, the study's values included. UserError when one is of no use.
+  const Registry& registry(const SweepCase& c) const;
 
   /// The case of that number, or of that folder. UserError when there is none.
   const SweepCase& find(const std::string& name) const;
@@ -39,14 +41,14 @@ class Sweep {
   ResolvedCase resolve(const SweepCase& c) const;
 
  private:
-  struct Source {
-    BaseChain chain;
-    std::unique_ptr<Registry> registry;  ///< of its own: plugins named by one workflow must not help another
-  };
+  ValuesOnTop values_of(const SweepCase& c) const;
+  /// Those of one list of paths each: plugins named by one workflow must not help another.
+  const Registry& registry_with(const std::vector<std::filesystem::path>& plugins) const;
   void read_workflows();
   void name_cases();
   LoadedStudy study_;
-  std::vector<Source> sources_;
+  std::vector<BaseChain> sources_;
+  mutable std::map<std::vector<std::filesystem::path>, std::unique_ptr<Registry>> registries_;
   std::vector<SweepCase> cases_;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/workflow.hpp"
 
+#include <fmt/format.h>
+
 #include "breccia/contact_law.hpp"
 #include "breccia/output.hpp"
 #include "breccia/packing.hpp"
@@ -110,7 +112,10 @@ void Workflow::describe(Schema<Workflow>& s) {
       .fallback(3)
       .doc("2: discs that move in the plane z = 0; 3: spheres");
   s.param("thickness", &Workflow::thickness).unit("m").above(0).fallback(1.0).doc("of the discs, out of plane");
-  s.param("plugins", &Workflow::plugins).fallback(none).doc("plugins from outside Breccia's own folder");
+  s.param("plugins", &Workflow::plugins)
+      .fallback(none)
+      .example("[build/breccia_contact_law.mine.so]")
+      .doc("plugins from outside Breccia's own folder, by their files or folders; relative paths start at this file");
   s.param("packing", &Workflow::packing).kind("packing").doc("how the particles are arranged");
   s.param("material", &Workflow::material).doc("of the particles");
   s.param("bonding", &Workflow::bonding).doc("which neighbours are glued together before loading");
@@ -187,6 +192,22 @@ void check_name(const std::string& name, const BaseChain& chain, const std::vect
   throw ConfigError({problem});
 }
 
+/// Two of one kind in a list would write the same curves, summary section, files or pictures over each other.
+void refuse_twins(const Workflow& w, const fs::path& file) {
+  const auto check = [&](const char* list, const std::vector<PluginChoice>& all) {
+    for (std::size_t k = 0; k < all.size(); ++k)
+      for (std::size_t first = 0; first < k; ++first)
+        if (all[first].type == all[k].type)
+          throw UserError(fmt::format(
+              "{}: {}[{}]: a second `{}` (the first is {}[{}]): both would write the same curves, files or pictures; "
+              "keep one of them",
+              file.string(), list, k, all[k].type, list, first));
+  };
+  check("postprocessors", w.postprocessors);
+  check("outputs", w.outputs);
+  check("renderers", w.renderers);
+}
+
 LoadedWorkflow loaded_from(Json config, const BaseChain& chain, const Registry& registry,
                            const std::vector<std::string>& overrides = {}, const std::string& variant = {}) {
   const fs::path file = chain.files[0].name;
@@ -199,6 +220,7 @@ LoadedWorkflow loaded_from(Json config, const BaseChain& chain, const Registry& 
   Schema<Workflow> schema;
   Workflow::describe(schema);
   loaded.workflow = schema.load(loaded.config);
+  refuse_twins(loaded.workflow, file);
   try_plugins(loaded.workflow, registry);
   return loaded;
 }
@@ -225,13 +247,13 @@ std::vector<std::string> workflow_variants(const fs::path& file) {
 LoadedWorkflow load_workflow(const fs::path& file, const std::vector<std::string>& overrides, Registry& registry,
                              const std::string& variant) {
   const BaseChain chain = not_a_study(follow_bases(read_text(file), file.string()), file);
-  for (const fs::path& path : plugin_paths(chain)) registry.add(path);
+  for (const fs::path& path : plugin_paths(chain, overrides, variant)) registry.add(path);
   return loaded_from(read_config(chain, workflow_schema(), registry, overrides, {}, variant), chain, registry,
                      overrides, variant);
 }
 
 LoadedWorkflow load_workflow(const BaseChain& chain, const ValuesOnTop& on_top, const Registry& registry) {
-  return loaded_from(read_config(chain, workflow_schema(), registry, on_top), chain, registry);
+  return loaded_from(read_config(chain, workflow_schema(), registry, on_top), chain, registry, {}, on_top.variant);
 }
 
 }  // namespace breccia

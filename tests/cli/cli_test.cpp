@@ -191,6 +191,106 @@ TEST_F(Cli, ListDescribeSchema) {
   EXPECT_TRUE(Json::parse(call("schema").text).contains("$schema"));
 }
 
+TEST_F(Cli, AMisspeltWordOfTheCommandLineIsNamed) {
+  Result r = call("vlidate x.yaml");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_NE(r.text.find("unknown verb `vlidate`; did you mean `validate`?"), std::string::npos) << r.text;
+  r = call("frobnicate");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_NE(r.text.find("unknown verb `frobnicate`; there are `run`"), std::string::npos) << r.text;
+  r = call("run x.yaml --outptu=out");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_NE(r.text.find("unknown option `--outptu`; did you mean `--output`?"), std::string::npos) << r.text;
+}
+
+TEST_F(Cli, DescribeTakesANameAKindAndSuggests) {
+  EXPECT_EQ(call("describe elastic_brittle").text, call("describe contact_law/elastic_brittle").text);
+  Result r = call("describe protocol");
+  EXPECT_EQ(r.code, 0) << r.text;
+  EXPECT_NE(r.text.find("protocol/uniaxial_compression: "), std::string::npos) << r.text;
+  r = call("describe elastic_britle");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_NE(r.text.find("did you mean `elastic_brittle`?"), std::string::npos) << r.text;
+  // The licence of another author's plugin is not ours to tell.
+  EXPECT_NE(call("describe elastic_brittle").text.find("licence: BSD-3-Clause"), std::string::npos);
+  fs::create_directories(folder_ / "own");
+  const std::string so = "breccia_contact_law.elastic_brittle.so";
+  fs::copy(fs::path(program).parent_path().parent_path() / "lib/breccia" / so, folder_ / "own" / so);
+  r = call("describe elastic_brittle", "BRECCIA_PLUGIN_PATH=own");
+  EXPECT_EQ(r.text.find("licence"), std::string::npos) << r.text;
+  EXPECT_NE(r.text.find("own/" + so), std::string::npos) << r.text;
+}
+
+TEST_F(Cli, PluginsOfTheCommandLineAreLoaded) {
+  write_small();
+  write("empty", "");
+  for (const char* given : {"[empty]", "[{path: empty}]"}) {
+    const std::string set = std::string(" --set 'plugins=") + given + "'";
+    for (const char* verb : {"validate small.yaml", "run small.yaml --output out"}) {
+      const Result r = call(verb + set);
+      EXPECT_EQ(r.code, 2) << verb << set;
+      EXPECT_NE(r.text.find("empty"), std::string::npos) << r.text;
+    }
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+  write("variant.yaml", "base: small.yaml\nvariants: {own: {plugins: [empty]}}\n");
+  EXPECT_EQ(call("run variant.yaml --variant own --output out").code, 2);
+  EXPECT_EQ(call("validate variant.yaml --variant own").code, 2);
+  write("study.yaml", "workflow: small.yaml\ngrid: {plugins: [[empty]]}\n");
+  EXPECT_EQ(call("validate study.yaml").code, 2);
+  EXPECT_EQ(call("validate small.yaml").code, 0);
+}
+
+TEST_F(Cli, ThePluginsOfTheGuideAreAccepted) {
+  write_small();
+  // The lines of the guide, with a file that is there.
+  const std::string guide = content(BRECCIA_SOURCE_DIR "/docs/writing_a_law.md");
+  const std::size_t begin = guide.find("plugins:\n"), end = guide.find("\n\n", begin);
+  ASSERT_NE(begin, std::string::npos);
+  fs::create_directories(folder_ / "build");
+  fs::copy(fs::path(program).parent_path().parent_path() / "lib/breccia/breccia_contact_law.elastic_brittle.so",
+           folder_ / "build/breccia_contact_law.hertz_mindlin.so");
+  write("guide.yaml", std::string(small) + guide.substr(begin, end - begin) + "\n");
+  const Result r = call("validate guide.yaml");
+  EXPECT_EQ(r.code, 0) << r.text;
+}
+
+TEST_F(Cli, TwoOfAKindAreRefusedBeforeTheRun) {
+  write_small();
+  for (const char* list : {"postprocessors=[{type: stress}, {type: stress}]", "outputs=[{type: vtk}, {type: vtk}]",
+                           "renderers=[{type: pictures}, {type: pictures}]"}) {
+    const Result r = call(std::string("validate small.yaml --set '") + list + "'");
+    EXPECT_EQ(r.code, 2) << list;
+  }
+}
+
+TEST_F(Cli, ValidateTakesAVariant) {
+  write_small();
+  write("v.yaml", "base: small.yaml\nvariants: {good: {seed: 2}, bad: {seed: -1}}\n");
+  EXPECT_EQ(call("validate v.yaml").code, 2);
+  EXPECT_EQ(call("validate v.yaml --variant good").code, 0);
+  EXPECT_EQ(call("validate v.yaml --variant bad").code, 2);
+  const Result r = call("validate v.yaml --variant goood");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_NE(r.text.find("did you mean `good`?"), std::string::npos) << r.text;
+}
+
+TEST_F(Cli, AStudyOfVariantsVariesThem) {
+  write_small();
+  write("v.yaml", "base: small.yaml\nvariants: {two: {seed: 2}, three: {seed: 3}}\n");
+  write("names.yaml", "workflow: v.yaml\ngrid: {variants: [two, three]}\n");
+  Result r = call("sweep names.yaml --cases");
+  EXPECT_EQ(r.code, 0) << r.text;
+  EXPECT_NE(r.text.find("2,variants=three,three,"), std::string::npos) << r.text;
+  write("own.yaml", "workflow: small.yaml\ngrid: {variants: [{a: {seed: 2}}, {b: {seed: 3}}]}\n");
+  r = call("validate own.yaml");
+  EXPECT_NE(r.text.find("ok, a study of 2 cases"), std::string::npos) << r.text;
+  write("unknown.yaml", "workflow: v.yaml\ngrid: {variants: [two, thre]}\n");
+  r = call("validate unknown.yaml");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_NE(r.text.find("did you mean `three`?"), std::string::npos) << r.text;
+}
+
 TEST_F(Cli, ShippedWorkflowsAreValidAndTheSchemaIsCurrent) {
   std::string files;
   for (const auto& entry : fs::recursive_directory_iterator(BRECCIA_SOURCE_DIR "/workflows"))

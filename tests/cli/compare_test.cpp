@@ -63,12 +63,46 @@ TEST_F(Compare, TheTableForReadersHasUnitsReferencesAndDistances) {
 }
 
 TEST_F(Compare, LabelsInOnePieceOrSeveral) {
-  expect_refused("a b -o out --labels one", "1 label for 2 runs");
-  ASSERT_EQ(call("a b -o out --labels 'model 1,model 2'").substr(0, 2), "0:");
+  ASSERT_EQ(call("a b -o out --labels 'model 1=a,model 2=b'").substr(0, 2), "0:");
   const std::string one = made("comparison.csv");
   EXPECT_NE(one.find("\nmodel 1,0,"), std::string::npos) << one;
-  ASSERT_EQ(call("a b -o again --labels 'model 1' --labels 'model 2'").substr(0, 2), "0:");
-  EXPECT_EQ(content(folder_ / "again/comparison.csv"), one);
+  ASSERT_EQ(call("a b -o again --labels 'model 2=./b/' --labels 'model 1=a'").substr(0, 2), "0:");
+  EXPECT_EQ(content(folder_ / "again/comparison.csv"), one) << "the order of the labels does not count";
+}
+
+/// A shell sorts `results/*` as 10, 20, 5: a label by position lands at another run.
+TEST_F(Compare, ALabelNeverGoesByPosition) {
+  for (const char* run : {"10", "20", "5"})
+    add(run, std::string(R"({"workflow": "w", "interrupted": false, "bonds": )") + run + "}");
+  expect_refused("10 20 5 -o out --labels '5 MPa,10 MPa,20 MPa'", "write --labels 'LABEL=DIR'");
+  expect_refused("10 20 5 -o out --labels '5 MPa=nowhere'", "names none of the runs");
+  expect_refused("10 20 5 -o out --labels '=5'", "the label of 5 is empty");
+  expect_refused("10 20 5 -o out --labels 'x=5,y=5'", "a second label for the run 5");
+  ASSERT_EQ(call("10 20 5 -o out --labels '5 MPa=5,p=10 MPa=10'").substr(0, 2), "0:");
+  const std::string csv = made("comparison.csv");
+  EXPECT_NE(csv.find("\n5 MPa,0,5\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\np=10 MPa,0,10\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\n20,0,20\n"), std::string::npos) << "without a label: the folder's name\n" << csv;
+}
+
+TEST_F(Compare, AStudyStandsForItsCases) {
+  for (const char* f : {"0.1", "0.02", "0.3"})
+    add(std::string("study/cases/friction=") + f, std::string(R"({"interrupted": false, "x": )") + f + "}");
+  fs::create_directories(folder_ / "study/cases/friction=0.4");  // has not finished
+  std::ofstream(folder_ / "study/results.csv")
+      << "case,folder,f\n1,friction=0.02,0.02\n2,friction=0.1,0.1\n3,friction=0.3,0.3\n";
+  ASSERT_EQ(call("study -o out --labels rough=study/cases/friction=0.3").substr(0, 2), "0:");
+  EXPECT_EQ(made("comparison.csv"), "label,interrupted,x\nfriction=0.02,0,0.02\nfriction=0.1,0,0.1\nrough,0,0.3\n");
+}
+
+/// The stiffness and the moment are written alike.
+TEST_F(Compare, ANewtonMetreIsNoMetre) {
+  add("m",
+      R"({"bending_moment_N_m": 2, "platen_stiffness_N_m": 3, "viscosity_Pa_s": 4, "rate_1_s": 5, "drift_m_s": 6})");
+  ASSERT_EQ(call("m -o out").substr(0, 2), "0:");
+  for (const char* row : {"| bending moment (N m) | 2 |", "| platen stiffness (N/m) | 3 |", "| viscosity (Pa s) | 4 |",
+                          "| rate (1/s) | 5 |", "| drift (m/s) | 6 |"})
+    EXPECT_NE(made("comparison.md").find(row), std::string::npos) << row << "\n" << made("comparison.md");
 }
 
 TEST_F(Compare, NamesMetTwiceAreToldApart) {

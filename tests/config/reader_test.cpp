@@ -187,5 +187,15 @@ TEST(Suggestions, KnowSwapsAndCase) {
   EXPECT_EQ(closest("mass", {"time", "stress"}), "");
 }
 
+/// What is there by default can be reached into, as if it had been written.
+TEST(Overrides, ReachIntoADefaultList) {
+  const std::string text = "specimen: {diameter: 1 mm, height: 2 mm}\ncontact_law: {type: soft, stiffness: 15 MN/m}\n";
+  Json config = read(text, {"postprocessor.0.every=2 ms"});
+  EXPECT_EQ(config["postprocessor"], read(text + "postprocessor: [{type: stress, every: 2 ms}]\n")["postprocessor"]);
+  config = read(text, {"levels.1=5 MPa"});
+  EXPECT_EQ(config["levels"], Json({1e6, 5e6}));
+  EXPECT_NE(problems_of(text, {"levels.2=5 MPa"}).find("has no item 2; it has 2"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace breccia

@@ -77,8 +77,11 @@ TEST(Units, WritingAndReadingKeepsAllBits) {
 }
 
 TEST(Units, RefusesNumbersWithoutUnit) {
-  EXPECT_EQ(problem_of("10", "Pa"), "`10` needs a unit: write for instance `10 MPa`");
-  EXPECT_EQ(problem_of("0", "m"), "`0` needs a unit: write for instance `0 mm`");
+  EXPECT_EQ(problem_of("10", "Pa"),
+            "`10` needs a unit: write `10 Pa` if that is meant; a pressure such as Pa, MPa, GPa or psi is "
+            "needed");
+  EXPECT_EQ(problem_of("0", "m"),
+            "`0` needs a unit: write `0 m` if that is meant; a length such as m, cm or mm is needed");
 }
 
 TEST(Units, RefusesOtherDimensions) {
@@ -119,6 +122,19 @@ TEST(Units, TooLargeAfterConversion) {
 }
 
 TEST(Units, NumbersOfAnyExponentAreZeroWhenTheirDigitsAre) { EXPECT_EQ(parse_quantity("0.0e-9999 mm", "m"), 0.0); }
+
+/// `13.2e9` was answered with "write `13.2e9 MPa`".
+TEST(Units, TheAdviceForAMissingUnitKeepsTheValueInSI) {
+  for (const char* unit : {"Pa", "m", "m2", "kg", "s", "m/s", "N", "kg/m3", "1/s", "rad", "N/m", "Pa/m", "J", "N m/rad",
+                           "Pa s", "N s/m", "Pa/s", "K"})
+    for (const char* number : {"13.2e9", "0.25", "-3"}) {
+      const std::string text = problem_of(number, unit), mark = "write `";
+      const std::size_t begin = text.find(mark);
+      ASSERT_NE(begin, std::string::npos) << text;
+      const std::size_t at = begin + mark.size();
+      EXPECT_EQ(parse_quantity(text.substr(at, text.find('`', at) - at), unit), std::stod(number)) << text;
+    }
+}
 
 }  // namespace
 }  // namespace breccia

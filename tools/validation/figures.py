@@ -37,7 +37,7 @@ class Drawing:
     def _compare(self, folders, labels, name, comparisons, *settings):
         out = self.work / name
         given = ["--set", f"comparisons={json.dumps(comparisons)}"] if comparisons else []
-        self.runner.call("compare", *folders, *[x for text in labels for x in ("--labels", text)], "-o", out, "--overwrite",
+        self.runner.call("compare", *folders, *[x for folder, text in zip(folders, labels) for x in ("--labels", f"{text}={folder}")], "-o", out, "--overwrite",
                          "--set", "size=900", *given, *settings)
         return out
 

@@ -184,7 +184,7 @@ def figures(report, runner, runs, folder):
         return [f"{prefix}_{name}.png" for name in wanted]
 
     def compare(s, models, wanted, prefix):
-        runner.call("compare", *[runs[s, m][0].folder for m in models], "--labels", ",".join(f"model {m}" for m in models),
+        runner.call("compare", *[runs[s, m][0].folder for m in models], "--labels", ",".join(f"model {m}={runs[s, m][0].folder}" for m in models),
                     "-o", work / prefix, "--overwrite", "--set", "size=900")
         for name in wanted:
             shutil.copy(work / prefix / f"{name}.png", folder / f"{prefix}_{name}.png")
