@@ -88,6 +88,7 @@ void move_walls(State& s) {
     fastest = std::max(fastest, w.velocity.norm());
   }
   s.walls_moved += s.time_step * fastest;
+  s.walls_moved_since_look += s.time_step * fastest;
 }
 
 double wall_energy(const State& s) {
