@@ -165,18 +165,20 @@ class Drive {
     }
   }
 
-  /// The velocities are those that lead exactly to the end of the increment: the law sees them with that geometry.
+  /// The velocities are those that lead exactly to the end of the increment; the law sees them with the geometry of its
+  /// middle.
   void increment(const WayPoint& from, const WayPoint& to, long at, long n) {
     Simulation& sim = *simulation_;
     const double share = double(at) / double(n), dt = sim.time_step();
     const auto target = [&](double WayPoint::*m) { return at == n ? to.*m : from.*m + share * (to.*m - from.*m); };
     const WayPoint next{target(&WayPoint::normal), target(&WayPoint::shear), target(&WayPoint::rotation),
                         target(&WayPoint::twist), 0};
-    const double distance = start_ + next.normal, half_gap = 0.5 * (distance - s_.radius_i - s_.radius_j);
+    const double distance = start_ + next.normal, middle = start_ + 0.5 * (now_.normal + next.normal),
+                 half_gap = 0.5 * (middle - s_.radius_i - s_.radius_j);
     const double shear = next.shear - now_.shear, bend = next.rotation - now_.rotation, twist = next.twist - now_.twist;
     // Shear by turning both particles the same way, so that the line of centres stays; bending without shear.
-    const double roll_i = (-shear - (s_.radius_j + half_gap) * bend) / distance,
-                 roll_j = (-shear + (s_.radius_i + half_gap) * bend) / distance;
+    const double roll_i = (-shear - (s_.radius_j + half_gap) * bend) / middle,
+                 roll_j = (-shear + (s_.radius_i + half_gap) * bend) / middle;
     const double way = distance - sim.state().particles.position[1].x();
     sim.hold(0, dof::all, Vec3::Zero(), Vec3(-0.5 * twist, 0, roll_i) / dt);
     sim.hold(1, dof::all, Vec3(way, 0, 0) / dt, Vec3(0.5 * twist, 0, roll_j) / dt);
