@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "engine/law_probe.hpp"
 #include "engine/specimen.hpp"
 #include "engine/time_step.hpp"
 #include "engine/walls.hpp"
@@ -50,15 +51,27 @@ double Simulation::porosity() const {
 void Simulation::prepare() {
   critical_ = std::numeric_limits<double>::infinity();
   rebuild();
+  check_stiffness(state_, law_, settings_.law);
   if (!std::isfinite(critical_) && reach_ < skin_) {  // nothing touches yet: what may do so some day sets the step
     reach_ = skin_;
     state_.positions_at_look.clear();
     look();
   }
+  if (!std::isfinite(critical_) && state_.bonds.size() > 0)
+    throw UserError("contact law `" + settings_.law + "` states no stiffness for any of the " +
+                    std::to_string(state_.bonds.size()) + " bonds: there is none to set a time step");
   if (!std::isfinite(critical_))
     throw UserError(
         "no bond or contact is stiff enough to set a time step: the particles do not touch; "
         "raise bonding.tolerance or use a denser packing");
+}
+
+void Simulation::check_critical_step() {
+  if (critical_ > 0) return;
+  if (const auto blame = blame_stiffness(state_, law_, settings_.law)) throw UserError(*blame);
+  throw UserError(
+      "the stiffness of the contacts over the mass of the particles is too large a number: check moduli, density and "
+      "radii");
 }
 
 void Simulation::rebuild() {
@@ -90,6 +103,7 @@ void Simulation::look() {
   // the jump.
   const std::vector<Index> changed = newly_within_reach(state_, reach_);
   critical_ = std::min(critical_, critical_time_step(state_, law_, incidence_, changed, reach_, settings_.threads));
+  check_critical_step();
   state_.time_step = settings_.safety * critical_;
   state_.positions_at_look = state_.particles.position;
   state_.moved_since_look = state_.walls_moved_since_look = 0;
@@ -179,9 +193,12 @@ void Simulation::advance() {
   move_walls(s);
   s.moved_bound += sums.largest_speed * s.time_step;
   s.moved_since_look += sums.largest_speed * s.time_step;
-  if (!std::isfinite(s.moved_bound))
+  if (!std::isfinite(s.moved_bound)) {
+    undo_positions(s);
+    if (const auto blame = blame_force(s, law_, settings_.law)) throw UserError(*blame);
     throw UserError("the motion ran away (a velocity is no longer a finite number) at step " + std::to_string(s.step) +
                     "; lower engine.time_step_safety or check stiffness and density");
+  }
   s.time += s.time_step;
   ++s.step;
 }
@@ -207,7 +224,10 @@ double Simulation::elastic_energy() {
     mine.end = std::min(all.end, (b + 1) * block);
     sums[b] = law_.energy(mine);
   }
-  return std::accumulate(sums.begin(), sums.end(), 0.0) + wall_energy(state_);
+  const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
+  if (!std::isfinite(sum))
+    if (const auto blame = blame_energy(state_, law_, settings_.law)) throw UserError(*blame);
+  return sum + wall_energy(state_);
 }
 
 ParticlesView Simulation::particles() const {

@@ -17,6 +17,7 @@ struct EngineSettings {
   double safety = 0.8;  ///< share of the critical time step
   double skin = 0.3;    ///< of the neighbour list, in mean radii
   int threads = 1;
+  std::string law = "contact_law";  ///< its name, for messages
 };
 
 class Simulation final : public LoadControl {
@@ -61,6 +62,7 @@ class Simulation final : public LoadControl {
  private:
   void rebuild();
   void look();
+  void check_critical_step();
   void follow_neighbours();
   void record_breaks();
   void fold_chunk_sums();

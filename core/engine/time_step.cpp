@@ -153,6 +153,10 @@ double critical_time_step(State& s, ContactLaw& law, const Incidence& incidence,
       // A factorisation tells whether the particle allows the step found so far; nearly all do. The margin keeps the
       // result the same in whatever order, and by however many threads, they are looked at.
       const double slack = 1 - 1e-9;
+      if (!r.stiffness.allFinite() || !r.damping.allFinite()) {
+        mine = 0;  // no step is short enough
+        continue;
+      }
       if (mine < infinity && (slack * Mat6::Identity() - r.at(mine)).llt().info() == Eigen::Success) continue;
       mine = std::min(mine, step_of(r));
     }

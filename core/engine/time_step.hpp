@@ -18,7 +18,8 @@ namespace breccia {
 /// then positive, and bounds the motion, while dt^2 K/4 + dt C/2 < M. A spring's energy, and a dashpot's power, are at
 /// most twice those of its two ends moving alone: 2 K and 2 C of single particles bound those of the whole system.
 ///
-/// Looks at the given particles only; infinite when none of them is held by anything stiff.
+/// Looks at the given particles only; 0 when a stiffness is no finite number, infinite when none of them is held by
+/// anything stiff.
 double critical_time_step(State& state, ContactLaw& law, const Incidence& incidence,
                           const std::vector<Index>& particles, double reach, int threads);
 

@@ -11,6 +11,7 @@
 #include "engine/simulation.hpp"
 #include "output/curve_table.hpp"
 #include "output/summary_table.hpp"
+#include "run/energy_check.hpp"
 #include "run/warning_log.hpp"
 
 namespace breccia {
@@ -64,11 +65,13 @@ class Drive {
     curves_.open(folder_ / "curves.csv");
     follow();
     curves_.close();
+    const auto off = energy_error();
     write_summary();  // whole before the charts
     std::vector<std::filesystem::path> files = {folder_ / "curves.csv", folder_ / "summary.json"};
     const auto charts = draw();
     write_summary();
     files.insert(files.end(), charts.begin(), charts.end());
+    if (off) throw UserError(*off);
     return files;
   }
 
@@ -111,6 +114,7 @@ class Drive {
     double farthest = std::abs(s_.gap);
     for (const WayPoint& p : path_.points) farthest = std::max(farthest, std::abs(s_.gap) + std::abs(p.normal));
     EngineSettings settings;
+    settings.law = s_.law.type;
     settings.safety = steps_per_critical;
     settings.skin = 1 + 8 * farthest / (s_.radius_i + s_.radius_j);  // they stay neighbours wherever the path leads
     auto simulation =
@@ -120,6 +124,26 @@ class Drive {
     simulation->prepare();
     for (const Index k : {0, 1}) simulation->hold(k, dof::all, Vec3::Zero(), Vec3::Zero());
     return simulation;
+  }
+
+  /// Warns when the pair's energy does not close at the end of the path; what to end with when it is far off.
+  std::optional<std::string> energy_error() {
+    const auto largest = [&](const char* name) {
+      double most = 0;
+      for (const double v : curves_.column(name)) most = std::max(most, std::abs(v));
+      return most;
+    };
+    const double reference = std::max(largest("work"), largest("stored_energy"));
+    const double off = reference > 0 ? std::abs(curves_.column("energy_error").back()) / reference : 0;
+    const EnergyLimits limits;
+    if (off <= limits.warn) return std::nullopt;
+    const std::string text = fmt::format(
+        "energy does not close: {:.3g} % of the work done on the pair is unaccounted for: the energy function or the "
+        "reported dissipation of contact law `{}` does not match its force, or the increments are too long (--steps)",
+        100 * off, s_.law.type);
+    if (off > limits.end) return text;
+    host_.warn(text);
+    return std::nullopt;
   }
 
   void add_columns() {
