@@ -2,6 +2,8 @@
 #include "engine/assembly.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <numeric>
 
@@ -19,6 +21,12 @@ std::uint64_t spread(std::uint64_t v) {
   v = (v | v << 4) & 0x10c30c30c30c30c3;
   v = (v | v << 2) & 0x1249249249249249;
   return v;
+}
+
+std::string number(double v) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", v);
+  return text;
 }
 
 void refuse_bad(const PackedParticles& p) {
@@ -68,6 +76,10 @@ State assemble(const PackedParticles& packing, const Material& material, int dim
       throw UserError("a two-dimensional packing must lie in the plane z = 0");
     const double m = dimension == 2 ? material.density * std::numbers::pi * r * r * thickness
                                     : material.density * 4.0 / 3.0 * std::numbers::pi * r * r * r;
+    if (!std::isnormal(m * r * r) || !std::isnormal(m))
+      throw UserError("particle " + std::to_string(k) + " of the packing, of radius " + number(r) +
+                      " m, has a mass of " + number(m) +
+                      " kg, which cannot be reckoned with: check radii and material.density");
     p.position.push_back(packing.position[k]);
     p.radius.push_back(r);
     p.mass.push_back(m);

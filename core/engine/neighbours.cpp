@@ -32,12 +32,47 @@ void resize(Pairs& p, std::size_t n, std::size_t columns, bool moments) {
   if (moments) p.moment.resize(n, Vec3::Zero());
 }
 
+/// Whether a pair that is no bond knows more than two strangers would: a history that is not the one the law starts
+/// with, or particles that overlapped when they were packed.
+class Memory {
+ public:
+  Memory(State& s, const Pairs& old, ContactLaw& law)
+      : s_(s), old_(old), law_(law), fresh_(old.columns.size()), batch_(whole_batch(s, unused_)) {
+    for (double& value : fresh_) columns_.push_back(&value);
+    batch_.columns = columns_.data();
+    batch_.guarded = nullptr;
+    batch_.begin = 0;
+    batch_.end = 1;
+  }
+  bool holds(std::size_t row) {
+    const Index i = old_.i[row], j = old_.j[row];
+    const auto& r = s_.particles.radius;
+    if (old_.bond[row] == PairsView::no_bond && old_.rest_length[row] < r[i] + r[j]) return true;
+    BondState state = old_.state[row];
+    batch_.i = &i;
+    batch_.j = &j;
+    batch_.rest_length = &old_.rest_length[row];
+    batch_.state = &state;
+    law_.initialise(batch_);
+    for (std::size_t c = 0; c < fresh_.size(); ++c)
+      if (old_.columns[c][row] != fresh_[c]) return true;
+    return false;
+  }
+
+ private:
+  State& s_;
+  const Pairs& old_;
+  ContactLaw& law_;
+  std::vector<double> fresh_;
+  std::vector<double*> columns_, unused_;
+  PairBatch batch_;
+};
+
 /// The rows of some particles, found by one thread.
 struct Rows {
   static constexpr std::size_t particles = 512;
   static constexpr Index fresh = 0xffffffffu;
   std::vector<Index> i, j, from;  ///< row of the old list, or fresh
-  std::vector<Index> changed;     ///< particles of fresh rows
   std::size_t start = 0;          ///< in the new list
 };
 
@@ -64,7 +99,7 @@ PairBatch whole_batch(State& s, std::vector<double*>& column_pointers) {
   return b;
 }
 
-std::vector<Index> rebuild_pairs(State& s, ContactLaw& law, double skin, Pairs& spare, int threads) {
+void rebuild_pairs(State& s, ContactLaw& law, double skin, Pairs& spare, int threads) {
   const Particles& p = s.particles;
   const Index n = Index(p.size());
   std::swap(s.pairs, spare);
@@ -72,7 +107,6 @@ std::vector<Index> rebuild_pairs(State& s, ContactLaw& law, double skin, Pairs& 
   Pairs& q = s.pairs;
   const auto old_start = rows_by_first(old.i, n);
   const auto bond_start = rows_by_first(s.bonds.i, n);
-  const bool first_time = old.size() == 0;
   const NeighbourSearch search(p, skin);
 
   std::vector<Rows> blocks((n + Rows::particles - 1) / Rows::particles);
@@ -80,14 +114,16 @@ std::vector<Index> rebuild_pairs(State& s, ContactLaw& law, double skin, Pairs& 
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     Rows& rows = blocks[b];
     std::vector<Index> partners;
+    Memory memory(s, old, law);
     for (Index i = Index(b * Rows::particles); i < std::min<std::size_t>(n, (b + 1) * Rows::particles); ++i) {
       partners.clear();
       search.append_partners(i, partners);
+      for (std::size_t k = bond_start[i]; k < bond_start[i + 1]; ++k)
+        if (s.bonds.state[k] == BondState::intact || distance(p, i, s.bonds.j[k]) < s.bonds.initial_distance[k] + skin)
+          partners.push_back(s.bonds.j[k]);
       for (std::size_t k = old_start[i]; k < old_start[i + 1]; ++k)
-        if (old.state[k] == BondState::intact || distance(p, i, old.j[k]) < old.rest_length[k] + skin)
+        if (distance(p, i, old.j[k]) >= p.radius[i] + p.radius[old.j[k]] + skin && memory.holds(k))
           partners.push_back(old.j[k]);
-      if (first_time)
-        for (std::size_t k = bond_start[i]; k < bond_start[i + 1]; ++k) partners.push_back(s.bonds.j[k]);
       std::sort(partners.begin(), partners.end());
       partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
       std::size_t at = old_start[i];
@@ -131,12 +167,11 @@ std::vector<Index> rebuild_pairs(State& s, ContactLaw& law, double skin, Pairs& 
         const auto begin = s.bonds.j.begin() + std::ptrdiff_t(bond_start[i]),
                    end = s.bonds.j.begin() + std::ptrdiff_t(bond_start[i + 1]);
         const auto at = std::lower_bound(begin, end, j);
-        const bool bonded = first_time && at != end && *at == j;
+        const bool bonded = at != end && *at == j;  // or was once: its bond knows
         q.bond[k] = bonded ? Index(at - s.bonds.j.begin()) : PairsView::no_bond;
-        q.state[k] = bonded ? BondState::intact : BondState::unbonded;
+        q.state[k] = bonded ? s.bonds.state[q.bond[k]] : BondState::unbonded;
         q.rest_length[k] =
             bonded ? s.bonds.initial_distance[q.bond[k]] : std::min(distance(p, i, j), p.radius[i] + p.radius[j]);
-        rows.changed.insert(rows.changed.end(), {i, j});
         PairBatch one = all;
         one.begin = k;
         one.end = k + 1;
@@ -145,15 +180,8 @@ std::vector<Index> rebuild_pairs(State& s, ContactLaw& law, double skin, Pairs& 
       if (q.bond[k] != PairsView::no_bond) s.bonds.pair[q.bond[k]] = Index(k);
     }
   }
-  std::vector<std::uint8_t> has_new(n, 0);
-  for (const Rows& rows : blocks)
-    for (const Index a : rows.changed) has_new[a] = 1;
-  std::vector<Index> changed;
-  for (Index a = 0; a < n; ++a)
-    if (has_new[a]) changed.push_back(a);
   s.positions_at_rebuild = p.position;
   s.moved_bound = s.walls_moved = 0;
-  return changed;
 }
 
 Incidence make_incidence(const State& s, int threads) {
@@ -187,11 +215,11 @@ Incidence make_incidence(const State& s, int threads) {
   return in;
 }
 
-double largest_displacement_since_rebuild(const State& s, int threads) {
+double largest_displacement(const State& s, const std::vector<Vec3>& from, int threads) {
   double most = 0;
 #pragma omp parallel for schedule(static) num_threads(threads) reduction(max : most)
   for (std::size_t k = 0; k < s.particles.size(); ++k)
-    most = std::max(most, (s.particles.position[k] - s.positions_at_rebuild[k]).squaredNorm());
+    most = std::max(most, (s.particles.position[k] - from[k]).squaredNorm());
   return std::sqrt(most);
 }
 

@@ -17,16 +17,18 @@ struct Incidence {
 };
 
 /// Rebuilds the pair list with the given skin [m]; pairs that stay keep their history, new ones get it from the law.
-/// `spare` lends its memory and receives the old list. A pair that is no longer an intact bond leaves once its surfaces
-/// (or its rest length) are a skin apart. Returns the particles that got a new neighbour, ascending.
-std::vector<Index> rebuild_pairs(State& state, ContactLaw& law, double skin, Pairs& spare, int threads);
+/// `spare` lends its memory and receives the old list. What a pair feels does not depend on the skin: intact bonds are
+/// always listed; a pair whose surfaces (and, if it was bonded once, whose initial distance) are a skin apart leaves
+/// only if it would come back as it is, that is with the history that the law gives to a new pair. A bond's state and
+/// rest length are known to `Bonds` and come back with the pair.
+void rebuild_pairs(State& state, ContactLaw& law, double skin, Pairs& spare, int threads);
 
 /// The batch of all pairs of the state, for calls of the law; per-chunk sums are not set.
 PairBatch whole_batch(State& state, std::vector<double*>& column_pointers);
 
 Incidence make_incidence(const State& state, int threads);
 
-/// The farthest that any particle has moved since the pair list was made [m].
-double largest_displacement_since_rebuild(const State& state, int threads);
+/// The farthest that any particle has moved from where it was [m].
+double largest_displacement(const State& state, const std::vector<Vec3>& from, int threads);
 
 }  // namespace breccia

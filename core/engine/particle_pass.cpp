@@ -44,6 +44,20 @@ double half_applied_work(const Particles& p, std::size_t first, std::size_t end,
   return 0.5 * dt * sum;
 }
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Infinite if a velocity or a spin is not a finite number, which the maximum would pass over.
+double largest_speed(const Particles& p, std::size_t first, std::size_t end) {
+  double fastest = 0;
+  bool finite = true;
+  for (std::size_t a = first; a < end; ++a) {
+    const double speed2 = p.velocity[a].squaredNorm();
+    fastest = std::max(fastest, speed2);
+    finite &= (speed2 < infinity) & (p.angular_velocity[a].squaredNorm() < infinity);
+  }
+  return finite ? std::sqrt(fastest) : infinity;
+}
+
 }  // namespace
 
 void clear_forces(State& s, const Share& share) {
@@ -92,16 +106,9 @@ PassSums integrate(State& s, const Damping& damping, bool any_applied, int threa
       sum.damping += lost[0][k] + lost[1][k];
       sum.boundary_work += work[0][k] + work[1][k];
     }
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    double fastest = 0;
-    bool finite = true;  // the maximum passes over what is not a number
-    for (std::size_t a = first; a < end; ++a) {
-      p.position[a] += dt * p.velocity[a];
-      const double speed2 = p.velocity[a].squaredNorm();
-      fastest = std::max(fastest, speed2);
-      finite &= speed2 < infinity;
-    }
-    sum.largest_speed = finite ? std::sqrt(fastest) : infinity;
+    sum.largest_speed = largest_speed(p, first, end);
+    if (sum.largest_speed < infinity)
+      for (std::size_t a = first; a < end; ++a) p.position[a] += dt * p.velocity[a];
   }
   PassSums total;
   for (const PassSums& sum : sums) {
@@ -110,6 +117,15 @@ PassSums integrate(State& s, const Damping& damping, bool any_applied, int threa
     total.largest_speed = std::max(total.largest_speed, sum.largest_speed);
   }
   return total;
+}
+
+void undo_positions(State& s) {
+  Particles& p = s.particles;
+  for (std::size_t first = 0; first < p.size(); first += block) {
+    const std::size_t end = std::min(p.size(), first + block);
+    if (largest_speed(p, first, end) < infinity)
+      for (std::size_t a = first; a < end; ++a) p.position[a] -= s.time_step * p.velocity[a];
+  }
 }
 
 double kinetic_energy(const State& s) {

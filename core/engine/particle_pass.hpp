@@ -16,7 +16,7 @@ struct Damping {
 /// What one pass over the particles yields besides moved particles; summed block by block in a fixed order.
 struct PassSums {
   double damping = 0, boundary_work = 0;  ///< in this step [J]
-  double largest_speed = 0;               ///< infinite if one is not a finite number [m/s]
+  double largest_speed = 0;               ///< infinite if one, or a spin, is not a finite number [m/s]
 };
 
 /// Before the pairs of a share are evaluated: `force` and `torque` of its particles are zero.
@@ -27,8 +27,12 @@ void complete_forces(State& state, const Share& share, const Incidence& incidenc
                      const std::vector<Vec3>& external_force, const std::vector<Vec3>& external_torque);
 
 /// Leapfrog: velocities by one step with the resultants in `force` and `torque` and damping, then positions.
-/// Held components keep their velocity; the work that this takes counts as boundary work.
+/// Held components keep their velocity; the work that this takes counts as boundary work. Particles whose velocity is
+/// no finite number, and those next to them in memory, are not moved.
 PassSums integrate(State& state, const Damping& damping, bool any_applied, int threads);
+
+/// After a step that left a velocity that is no finite number: the positions of before it.
+void undo_positions(State& state);
 
 /// At the time of the positions [J], as 1/2 m v(before) v(after) with the velocities half a step to either side: the
 /// form that leapfrog conserves exactly, together with the stored energy, in a linear system. Damping is left out of

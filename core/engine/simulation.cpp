@@ -5,16 +5,26 @@
 #include <limits>
 #include <numeric>
 
+#include "engine/law_probe.hpp"
 #include "engine/specimen.hpp"
 #include "engine/time_step.hpp"
 #include "engine/walls.hpp"
 
 namespace breccia {
+namespace {
+
+/// Pairs whose surfaces are this near (in mean radii) count for the time step; those of a longer list are looked at
+/// again when they could have come so near. As long as the default skin.
+constexpr double counted_reach = 0.3;
+
+}  // namespace
 
 Simulation::Simulation(State state, ContactLaw& law, const EngineSettings& settings)
     : state_(std::move(state)), law_(law), settings_(settings) {
   const auto& r = state_.particles.radius;
-  skin_ = settings_.skin * std::accumulate(r.begin(), r.end(), 0.0) / double(r.size());
+  const double mean_radius = std::accumulate(r.begin(), r.end(), 0.0) / double(r.size());
+  skin_ = settings_.skin * mean_radius;
+  reach_ = std::min(settings_.skin, counted_reach) * mean_radius;
   external_force_.assign(r.size(), Vec3::Zero());
   external_torque_.assign(r.size(), Vec3::Zero());
 }
@@ -41,17 +51,33 @@ double Simulation::porosity() const {
 void Simulation::prepare() {
   critical_ = std::numeric_limits<double>::infinity();
   rebuild();
+  check_stiffness(state_, law_, settings_.law);
+  if (!std::isfinite(critical_) && reach_ < skin_) {  // nothing touches yet: what may do so some day sets the step
+    reach_ = skin_;
+    state_.positions_at_look.clear();
+    look();
+  }
+  if (!std::isfinite(critical_) && state_.bonds.size() > 0)
+    throw UserError("contact law `" + settings_.law + "` states no stiffness for any of the " +
+                    std::to_string(state_.bonds.size()) + " bonds: there is none to set a time step");
   if (!std::isfinite(critical_))
     throw UserError(
         "no bond or contact is stiff enough to set a time step: the particles do not touch; "
         "raise bonding.tolerance or use a denser packing");
 }
 
+void Simulation::check_critical_step() {
+  if (critical_ > 0) return;
+  if (const auto blame = blame_stiffness(state_, law_, settings_.law)) throw UserError(*blame);
+  throw UserError(
+      "the stiffness of the contacts over the mass of the particles is too large a number: check moduli, density and "
+      "radii");
+}
+
 void Simulation::rebuild() {
   fold_chunk_sums();
-  std::vector<Index> changed = rebuild_pairs(state_, law_, skin_, spare_pairs_, settings_.threads);
+  rebuild_pairs(state_, law_, skin_, spare_pairs_, settings_.threads);
   rebuild_wall_touches(state_, skin_);
-  for (const WallTouch& t : state_.wall_touches) changed.push_back(t.particle);
   incidence_ = make_incidence(state_, settings_.threads);
   partition_ = make_partition(state_, incidence_, settings_.threads);
   const std::size_t chunks = (state_.pairs.size() + PairBatch::chunk - 1) / PairBatch::chunk;
@@ -67,26 +93,41 @@ void Simulation::rebuild() {
   // Rows that no wall touches any more go back to the applied force alone.
   external_force_ = state_.particles.applied_force;
   external_torque_.assign(state_.particles.size(), Vec3::Zero());
-  update_time_step(changed);
+  look();
   ++rebuilds_;
 }
 
-void Simulation::update_time_step(const std::vector<Index>& changed) {
+/// Asks those pairs for a shorter time step that have come near.
+void Simulation::look() {
   // Only new neighbours and walls can ask for a shorter step, and it only shrinks: a longer one half-way is not worth
   // the jump.
-  critical_ = std::min(critical_, critical_time_step(state_, law_, incidence_, changed, settings_.threads));
+  const std::vector<Index> changed = newly_within_reach(state_, reach_);
+  critical_ = std::min(critical_, critical_time_step(state_, law_, incidence_, changed, reach_, settings_.threads));
+  check_critical_step();
   state_.time_step = settings_.safety * critical_;
+  state_.positions_at_look = state_.particles.position;
+  state_.moved_since_look = state_.walls_moved_since_look = 0;
+}
+
+void Simulation::follow_neighbours() {
+  State& s = state_;
+  // The bound adds up the fastest particle of each step; only when it says "perhaps" are the true displacements looked
+  // at.
+  const auto closed = [&](double& moved, double walls, const std::vector<Vec3>& from, double gap) {
+    const double allowed = 0.9 * gap;
+    if (2 * moved <= allowed && moved + walls <= allowed) return false;
+    moved = largest_displacement(s, from, settings_.threads);
+    return 2 * moved > 0.9 * allowed || moved + walls > 0.9 * allowed;
+  };
+  if (closed(s.moved_bound, s.walls_moved, s.positions_at_rebuild, skin_)) rebuild();
+  else if (reach_ < skin_ && closed(s.moved_since_look, s.walls_moved_since_look, s.positions_at_look, reach_)) look();
 }
 
 void Simulation::forces(bool to_be_viewed) {
   State& s = state_;
-  // The bound adds up the fastest particle of each step; only when it says "perhaps" are the true displacements looked
-  // at.
-  const double allowed = 0.9 * skin_;
-  if (2 * s.moved_bound > allowed || s.moved_bound + s.walls_moved > allowed) {
-    s.moved_bound = largest_displacement_since_rebuild(s, settings_.threads);
-    if (2 * s.moved_bound > 0.9 * allowed || s.moved_bound + s.walls_moved > 0.9 * allowed) rebuild();
-  }
+  BRECCIA_ASSERT(!forces_known_);  // a second time would move springs and ledger on without a step
+  forces_known_ = true;
+  follow_neighbours();
   PairBatch all = whole_batch(s, columns_);
   all.friction_work = chunk_friction_.data();
   all.contact_work = chunk_contact_.data();
@@ -144,14 +185,20 @@ void Simulation::record_breaks() {
 
 void Simulation::advance() {
   State& s = state_;
+  BRECCIA_ASSERT(forces_known_);
+  forces_known_ = false;
   const PassSums sums = integrate(s, settings_.damping, any_applied_, settings_.threads);
   s.energy.damping += sums.damping;
   s.energy.boundary_work += sums.boundary_work;
   move_walls(s);
   s.moved_bound += sums.largest_speed * s.time_step;
-  if (!std::isfinite(s.moved_bound))
+  s.moved_since_look += sums.largest_speed * s.time_step;
+  if (!std::isfinite(s.moved_bound)) {
+    undo_positions(s);
+    if (const auto blame = blame_force(s, law_, settings_.law)) throw UserError(*blame);
     throw UserError("the motion ran away (a velocity is no longer a finite number) at step " + std::to_string(s.step) +
                     "; lower engine.time_step_safety or check stiffness and density");
+  }
   s.time += s.time_step;
   ++s.step;
 }
@@ -177,7 +224,10 @@ double Simulation::elastic_energy() {
     mine.end = std::min(all.end, (b + 1) * block);
     sums[b] = law_.energy(mine);
   }
-  return std::accumulate(sums.begin(), sums.end(), 0.0) + wall_energy(state_);
+  const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
+  if (!std::isfinite(sum))
+    if (const auto blame = blame_energy(state_, law_, settings_.law)) throw UserError(*blame);
+  return sum + wall_energy(state_);
 }
 
 ParticlesView Simulation::particles() const {

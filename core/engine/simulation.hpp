@@ -17,6 +17,7 @@ struct EngineSettings {
   double safety = 0.8;  ///< share of the critical time step
   double skin = 0.3;    ///< of the neighbour list, in mean radii
   int threads = 1;
+  std::string law = "contact_law";  ///< its name, for messages
 };
 
 class Simulation final : public LoadControl {
@@ -29,10 +30,12 @@ class Simulation final : public LoadControl {
   /// After bonds, walls and held particles are there: pair list and time step. UserError when nothing is stiff.
   void prepare();
 
-  /// One step is `forces()` (resultants at the present time) then `advance()`; measure between the two.
+  /// One step is `forces()` (resultants at the present time) then `advance()`; measure between the two. Each moves the
+  /// springs and the ledger on by a step: one without the other is a mistake in the program, and said at once.
   /// A view may be taken only of a step that was told so: the force of each pair is not written to memory otherwise.
   void forces(bool to_be_viewed = true);
   void advance();
+  bool forces_known() const { return forces_known_; }  ///< the resultants are those of the present positions
 
   SimulationView view();  ///< valid until the next call that changes anything
   const State& state() const { return state_; }
@@ -58,7 +61,9 @@ class Simulation final : public LoadControl {
 
  private:
   void rebuild();
-  void update_time_step(const std::vector<Index>& changed);
+  void look();
+  void check_critical_step();
+  void follow_neighbours();
   void record_breaks();
   void fold_chunk_sums();
   double elastic_energy();
@@ -66,7 +71,7 @@ class Simulation final : public LoadControl {
   State state_;
   ContactLaw& law_;
   EngineSettings settings_;
-  double skin_ = 0, critical_ = 0;
+  double skin_ = 0, reach_ = 0, critical_ = 0;
   Pairs spare_pairs_;  ///< of the last rebuild: its memory is used again
   Incidence incidence_;
   Partition partition_;
@@ -75,7 +80,7 @@ class Simulation final : public LoadControl {
   std::vector<std::uint8_t> chunk_broke_;
   std::vector<std::uint8_t> guarded_pairs_;  ///< of `bonds.guarded`, for the present pair list
   std::vector<Vec3> external_force_, external_torque_;
-  bool any_applied_ = false, loading_started_ = false, pair_forces_known_ = true;
+  bool any_applied_ = false, loading_started_ = false, pair_forces_known_ = true, forces_known_ = false;
   std::uint64_t rebuilds_ = 0;
   std::vector<WallView> wall_views_;
   std::vector<WallContact> wall_contacts_;

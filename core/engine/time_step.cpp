@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <limits>
 
 #include "engine/neighbours.hpp"
@@ -59,10 +60,28 @@ double step_of(const Restraint& r) {
   return dt;
 }
 
+/// Whether a pair of the list could exert a force before its ends have moved by `reach` in all, from where they are in
+/// `position`. A pair that was bonded once feels its partner from the bond's length on.
+bool within_reach(const State& s, std::size_t pair, const std::vector<Vec3>& position, double reach) {
+  if (s.pairs.state[pair] == BondState::intact) return true;
+  const Index i = s.pairs.i[pair], j = s.pairs.j[pair];
+  const double length = std::max(s.particles.radius[i] + s.particles.radius[j], s.pairs.rest_length[pair]);
+  return (position[j] - position[i]).norm() < length + reach;
+}
+
+bool within_reach(const State& s, const WallTouch& t, double reach) {
+  return facing(s.walls[t.wall], s.particles.position[t.particle]).distance - s.particles.radius[t.particle] <= reach;
+}
+
 class Restraints {
  public:
-  Restraints(State& s, ContactLaw& law, const Incidence& incidence)
-      : s_(s), law_(law), in_(incidence), batch_(whole_batch(s, columns_)), touch_start_(s.particles.size() + 1, 0) {
+  Restraints(State& s, ContactLaw& law, const Incidence& incidence, double reach)
+      : s_(s),
+        law_(law),
+        in_(incidence),
+        reach_(reach),
+        batch_(whole_batch(s, columns_)),
+        touch_start_(s.particles.size() + 1, 0) {
     for (const WallTouch& t : s.wall_touches) ++touch_start_[t.particle + 1];
     for (std::size_t a = 0; a < s.particles.size(); ++a) touch_start_[a + 1] += touch_start_[a];
     touch_.resize(s.wall_touches.size());
@@ -79,7 +98,7 @@ class Restraints {
       const Index i = s_.pairs.i[q], j = s_.pairs.j[q];
       const Vec3 branch = p.position[j] - p.position[i];
       const double d = branch.norm(), half_gap = 0.5 * (d - p.radius[i] - p.radius[j]);
-      if (d <= 0) continue;
+      if (d <= 0 || !within_reach(s_, q, p.position, reach_)) continue;
       PairBatch one = batch_;
       one.begin = q;
       one.end = q + 1;
@@ -93,6 +112,7 @@ class Restraints {
       }
     }
     for (Index t = touch_start_[a]; t < touch_start_[a + 1]; ++t) {
+      if (!within_reach(s_, s_.wall_touches[touch_[t]], reach_)) continue;
       const Wall& w = s_.walls[s_.wall_touches[touch_[t]].wall];
       add_contact(r.stiffness, -facing(w, p.position[a]).normal, p.radius[a],
                   {w.normal_stiffness, w.friction > 0 ? w.shear_stiffness : 0, 0, 0});
@@ -111,6 +131,7 @@ class Restraints {
   State& s_;
   ContactLaw& law_;
   const Incidence& in_;
+  double reach_;
   std::vector<double*> columns_;
   PairBatch batch_;
   std::vector<Index> touch_start_, touch_;  // wall touches by particle
@@ -119,9 +140,9 @@ class Restraints {
 }  // namespace
 
 double critical_time_step(State& s, ContactLaw& law, const Incidence& incidence, const std::vector<Index>& particles,
-                          int threads) {
+                          double reach, int threads) {
   if (particles.empty()) return infinity;
-  const Restraints restraints(s, law, incidence);
+  const Restraints restraints(s, law, incidence, reach);
   double least = infinity;
 #pragma omp parallel num_threads(threads)
   {
@@ -132,6 +153,10 @@ double critical_time_step(State& s, ContactLaw& law, const Incidence& incidence,
       // A factorisation tells whether the particle allows the step found so far; nearly all do. The margin keeps the
       // result the same in whatever order, and by however many threads, they are looked at.
       const double slack = 1 - 1e-9;
+      if (!r.stiffness.allFinite() || !r.damping.allFinite()) {
+        mine = 0;  // no step is short enough
+        continue;
+      }
       if (mine < infinity && (slack * Mat6::Identity() - r.at(mine)).llt().info() == Eigen::Success) continue;
       mine = std::min(mine, step_of(r));
     }
@@ -139,6 +164,21 @@ double critical_time_step(State& s, ContactLaw& law, const Incidence& incidence,
     least = std::min(least, mine);
   }
   return least;
+}
+
+std::vector<Index> newly_within_reach(const State& s, double reach) {
+  const auto& now = s.particles.position;
+  const auto& then = s.positions_at_look;
+  std::vector<std::uint8_t> is_new(now.size(), 0);
+  for (std::size_t k = 0; k < s.pairs.size(); ++k)
+    if (within_reach(s, k, now, reach) && (then.empty() || !within_reach(s, k, then, reach)))
+      is_new[s.pairs.i[k]] = is_new[s.pairs.j[k]] = 1;
+  for (const WallTouch& t : s.wall_touches)
+    if (within_reach(s, t, reach)) is_new[t.particle] = 1;
+  std::vector<Index> particles;
+  for (Index a = 0; a < now.size(); ++a)
+    if (is_new[a]) particles.push_back(a);
+  return particles;
 }
 
 }  // namespace breccia

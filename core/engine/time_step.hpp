@@ -8,8 +8,8 @@
 
 namespace breccia {
 
-/// A bound from each particle's own 6x6 stiffness K and damping C with its neighbours held (all pairs of the list and
-/// wall touches counted as active) [s]: the least dt, over the particles, at which
+/// A bound from each particle's own 6x6 stiffness K and damping C with its neighbours held (intact bonds, and pairs and
+/// wall touches `within reach`, counted as active) [s]: the least dt, over the particles, at which
 ///
 ///   lambda_max(M^-1 (dt^2/2 K + dt C)) = 1;  without dashpots dt = 2/sqrt(2 lambda_max(M^-1 K)).
 ///
@@ -18,8 +18,13 @@ namespace breccia {
 /// then positive, and bounds the motion, while dt^2 K/4 + dt C/2 < M. A spring's energy, and a dashpot's power, are at
 /// most twice those of its two ends moving alone: 2 K and 2 C of single particles bound those of the whole system.
 ///
-/// Looks at the given particles only; infinite when none of them is held by anything stiff.
+/// Looks at the given particles only; 0 when a stiffness is no finite number, infinite when none of them is held by
+/// anything stiff.
 double critical_time_step(State& state, ContactLaw& law, const Incidence& incidence,
-                          const std::vector<Index>& particles, int threads);
+                          const std::vector<Index>& particles, double reach, int threads);
+
+/// The particles that have come within `reach` [m] of a neighbour or a wall since `positions_at_look`, ascending: they
+/// may ask for a shorter time step. All that have any when nobody has looked yet.
+std::vector<Index> newly_within_reach(const State& state, double reach);
 
 }  // namespace breccia

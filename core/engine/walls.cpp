@@ -52,14 +52,22 @@ void wall_forces(State& s, std::vector<Vec3>& force, std::vector<Vec3>& torque) 
     const double pressed = w.normal_stiffness * t.overlap;
     const Vec3 arm = -(r - t.overlap) * f.normal;  // from the centre to the contact point
     if (w.friction > 0) {
-      Vec3 slip = p.velocity[t.particle] + p.angular_velocity[t.particle].cross(arm) - w.velocity;
+      // As between particles (`follow_plane`): the velocities belong to the middle of the step, and so does the
+      // geometry that they are measured in. A cylinder's normal turns as the particle slides round.
+      const Vec3 relative = p.velocity[t.particle] - w.velocity;
+      const Facing middle = facing(w, p.position[t.particle] - 0.5 * dt * relative);
+      Vec3 slip = relative - middle.distance * p.angular_velocity[t.particle].cross(middle.normal);
+      slip -= slip.dot(middle.normal) * middle.normal;
       slip -= slip.dot(f.normal) * f.normal;
-      t.spring -= t.spring.dot(f.normal) * f.normal;  // a cylinder's normal turns as the particle slides round
+      t.spring -= 2 * t.spring.dot(middle.normal) * middle.normal;
+      t.spring -= t.spring.dot(f.normal) * f.normal;
       const Vec3 trial = t.spring + dt * slip;
       const double size = w.shear_stiffness * trial.norm(), limit = w.friction * pressed;
       const double keep = size > limit ? limit / size : 1.0;
+      // Leapfrog's own work: the mean of the force before and after.
+      if (keep < 1)
+        s.energy.friction += 0.5 * (w.shear_stiffness * t.spring.dot(trial) + limit * trial.norm()) * (1 - keep);
       t.spring = keep * trial;
-      if (keep < 1) s.energy.friction += limit * trial.norm() * (1 - keep);
       t.force = -w.shear_stiffness * t.spring;
     }
     t.force += pressed * f.normal;
@@ -88,6 +96,7 @@ void move_walls(State& s) {
     fastest = std::max(fastest, w.velocity.norm());
   }
   s.walls_moved += s.time_step * fastest;
+  s.walls_moved_since_look += s.time_step * fastest;
 }
 
 double wall_energy(const State& s) {

@@ -83,6 +83,8 @@ struct State {
   std::vector<WallTouch> wall_touches;  ///< sorted by (wall, particle)
   std::vector<Vec3> positions_at_rebuild;
   double moved_bound = 0, walls_moved = 0;  ///< since the pair list was made [m]
+  std::vector<Vec3> positions_at_look;      ///< when the pairs that set the time step were last looked at
+  double moved_since_look = 0, walls_moved_since_look = 0;  // [m]
   EnergySums energy;
   SpecimenShape specimen;
 };

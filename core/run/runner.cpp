@@ -17,6 +17,7 @@
 #include "output/curve_table.hpp"
 #include "output/summary_table.hpp"
 #include "run/contention.hpp"
+#include "run/energy_check.hpp"
 #include "run/frames.hpp"
 #include "run/packing_cache.hpp"
 #include "run/render.hpp"
@@ -74,6 +75,7 @@ class Run {
     settings.safety = w_.engine.time_step_safety;
     settings.skin = w_.engine.skin;
     settings.threads = monitor_.threads();
+    settings.law = w_.contact_law.type;
     simulation_ = std::make_unique<Simulation>(
         assemble(packing_.particles, {w_.material.density}, dimension, w_.thickness), *law_, settings);
     bonding_ = simulation_->bond(w_.bonding.rule());
@@ -179,6 +181,8 @@ class Run {
       for (auto& p : posts_) p->start_of_loading(view);
     }
     if (sim.loading_started()) {
+      if (!energy_check_) energy_check_.emplace(energy_limits(), w_.contact_law.type);
+      energy_check_->sample(view.energy, view.step, monitor_);
       for (auto& p : posts_) p->sample(view, curves_);
       curves_.end_row();
       frames_->at(view, !was_loading);
@@ -189,9 +193,17 @@ class Run {
     return progress;
   }
 
+  EnergyLimits energy_limits() {
+    constexpr double strain = 1e-4;  // below, a platen that has just come to touch is all there is
+    const SpecimenShape& specimen = simulation_->state().specimen;
+    return {w_.engine.energy_error_warning, w_.engine.energy_error_limit,
+            0.5 * simulation_->bond_stiffness().modulus * specimen.volume * double(w_.dimension) * strain * strain};
+  }
+
   void finish() {
     Simulation& sim = *simulation_;
     const SimulationView view = sim.view();
+    if (energy_check_) energy_check_->finish(view.energy, view.step, monitor_);
     const std::size_t n = view.particles.size(), bonds = view.bonds.size();
     summary_.set("workflow", w_.name);
     summary_.set("interrupted", interrupted_);
@@ -265,6 +277,7 @@ class Run {
   std::unique_ptr<Simulation> simulation_;
   CurveTable curves_;
   SummaryTable summary_;
+  std::optional<EnergyCheck> energy_check_;
   std::size_t time_column_ = 0;
   double loop_seconds_ = 0;
   bool interrupted_ = false;

@@ -84,6 +84,17 @@ void EngineConfig::describe(Schema<EngineConfig>& s) {
       .at_most(2)
       .fallback(0.3)
       .doc("neighbours this far apart (in mean radii) are followed; larger: longer lists, rebuilt less often");
+  s.param("energy_error_warning", &EngineConfig::energy_error_warning)
+      .above(0)
+      .fallback(0.01)
+      .doc("warns when this share of the work is unaccounted for in the energy balance");
+  s.param("energy_error_limit", &EngineConfig::energy_error_limit)
+      .above(0)
+      .fallback(0.1)
+      .doc(
+          "ends the run when this share of the work is unaccounted for; of the largest of boundary work, stored and "
+          "initial energy so far, and of no less than what a strain of 1e-4 would store in the bonds. Very large: "
+          "never");
 }
 
 void SamplingConfig::describe(Schema<SamplingConfig>& s) {

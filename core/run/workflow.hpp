@@ -34,7 +34,7 @@ struct DampingConfig {
 };
 
 struct EngineConfig {
-  double time_step_safety, skin;
+  double time_step_safety, skin, energy_error_warning, energy_error_limit;
   static void describe(Schema<EngineConfig>& s);
 };
 

@@ -24,15 +24,17 @@ namespace breccia {
 
 /// The geometry and motion of one pair, as its law sees it. n points from i to j.
 struct Contact {
-  double distance;            ///< of the centres [m]
-  double rest_length;         ///< bonded: distance when the bond was made; others: min(first distance, r_i + r_j) [m]
-  double radius_i, radius_j;  // [m]
-  double nx, ny, nz;          ///< unit normal
-  double normal_velocity;     ///< rate of the distance [m/s]
-  double shear_x, shear_y, shear_z;  ///< tangential motion of j relative to i at the contact point in this step [m]
-  double spin;                       ///< mean rotation of the two about n in this step [rad]
-  double turn_x, turn_y, turn_z;     ///< rotation of j relative to i in this step [rad]
-  double intact;                     ///< 1 while the bond holds, else 0
+  double distance;             ///< of the centres [m]
+  double rest_length;          ///< bonded: distance when the bond was made; others: min(first distance, r_i + r_j) [m]
+  double radius_i, radius_j;   // [m]
+  double nx, ny, nz;           ///< unit normal
+  double mid_x, mid_y, mid_z;  ///< unit normal in the middle of the step that led here, where the velocities belong
+  double normal_velocity;      ///< rate of the distance [m/s]
+  /// Tangential motion of j relative to i at the contact point in this step, carried to the present plane [m].
+  double shear_x, shear_y, shear_z;
+  double spin;                    ///< mean rotation of the two about n in this step [rad]
+  double turn_x, turn_y, turn_z;  ///< rotation of j relative to i in this step, carried likewise [rad]
+  double intact;                  ///< 1 while the bond holds, else 0
   double
       breakable;  ///< 1 while the bond holds and may fail; 0 also if the protocol protects it (`respects_protection`)
   double reduced_mass;  ///< m_i m_j/(m_i + m_j) [kg]

@@ -103,16 +103,24 @@ class ContactLawOf final : public ContactLaw {
 };
 
 /// A vector kept in the contact plane (a tangential spring, a bending spring) follows the pair: it is turned into the
-/// present plane and with the pair's mean spin about n. First order in the step, exact in the limit.
+/// present plane and with the pair's mean spin about n. Second order in the step: a reflection at the plane normal to
+/// the middle's normal takes what was normal to the old normal to what is normal to the new one, and keeps its length
+/// (two reflections, of which the first, at the old plane, changes nothing, are the shortest rotation between the two).
 struct PlaneVector {
   double x, y, z;
 };
 BRECCIA_KERNEL PlaneVector follow_plane(const Contact& c, double x, double y, double z) {
-  const double along = x * c.nx + y * c.ny + z * c.nz;
+  const double twice = 2 * (x * c.mid_x + y * c.mid_y + z * c.mid_z);
+  x -= twice * c.mid_x;
+  y -= twice * c.mid_y;
+  z -= twice * c.mid_z;
+  const double along = x * c.nx + y * c.ny + z * c.nz;  // of higher order: what a stretch in the same step adds
   x -= along * c.nx;
   y -= along * c.ny;
   z -= along * c.nz;
-  return {x + c.spin * (c.ny * z - c.nz * y), y + c.spin * (c.nz * x - c.nx * z), z + c.spin * (c.nx * y - c.ny * x)};
+  const double sine = c.spin, cosine = 1 - 0.5 * c.spin * c.spin;
+  return {cosine * x + sine * (c.ny * z - c.nz * y), cosine * y + sine * (c.nz * x - c.nx * z),
+          cosine * z + sine * (c.nx * y - c.ny * x)};
 }
 
 }  // namespace breccia

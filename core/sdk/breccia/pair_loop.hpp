@@ -92,18 +92,38 @@ BRECCIA_KERNEL Contact contact_of(const Gathered& g, std::size_t k, double rest_
   c.ny = g.dy[k] * inverse;
   c.nz = g.dz[k] * inverse;
   c.normal_velocity = g.vx[k] * c.nx + g.vy[k] * c.ny + g.vz[k] * c.nz;
+  // The velocities belong to the middle of the step, and what they move is measured with the normal of that moment:
+  // with the one of its end the springs would be of first order only.
+  const double tx = g.vx[k] - c.normal_velocity * c.nx, ty = g.vy[k] - c.normal_velocity * c.ny,
+               tz = g.vz[k] - c.normal_velocity * c.nz;
+  const double back2 = 0.25 * dt * dt * inverse * inverse * (tx * tx + ty * ty + tz * tz);
+  const double back = back2 < 0.1 ? 0.5 * dt * inverse : 0.0;  // faster than half a radian in a step: no middle
+  const double unit = 1 - 0.5 * (back2 < 0.1 ? back2 : 0.0);
+  c.mid_x = unit * (c.nx - back * tx);
+  c.mid_y = unit * (c.ny - back * ty);
+  c.mid_z = unit * (c.nz - back * tz);
   // Velocity of j relative to i at the contact point: v_j - v_i - (a_i w_i + a_j w_j) x n, with lever arms a.
-  const double half_gap = 0.5 * (d - g.ri[k] - g.rj[k]);
+  const double half_gap = 0.5 * (d - 0.5 * dt * c.normal_velocity - g.ri[k] - g.rj[k]);
   const double ai = g.ri[k] + half_gap, aj = g.rj[k] + half_gap;
   const double px = ai * g.wix[k] + aj * g.wjx[k], py = ai * g.wiy[k] + aj * g.wjy[k],
                pz = ai * g.wiz[k] + aj * g.wjz[k];
-  c.shear_x = dt * (g.vx[k] - c.normal_velocity * c.nx - (py * c.nz - pz * c.ny));
-  c.shear_y = dt * (g.vy[k] - c.normal_velocity * c.ny - (pz * c.nx - px * c.nz));
-  c.shear_z = dt * (g.vz[k] - c.normal_velocity * c.nz - (px * c.ny - py * c.nx));
-  c.spin = 0.5 * dt * ((g.wix[k] + g.wjx[k]) * c.nx + (g.wiy[k] + g.wjy[k]) * c.ny + (g.wiz[k] + g.wjz[k]) * c.nz);
-  c.turn_x = dt * (g.wjx[k] - g.wix[k]);
-  c.turn_y = dt * (g.wjy[k] - g.wiy[k]);
-  c.turn_z = dt * (g.wjz[k] - g.wiz[k]);
+  const double along = g.vx[k] * c.mid_x + g.vy[k] * c.mid_y + g.vz[k] * c.mid_z;
+  const double sx = dt * (g.vx[k] - along * c.mid_x - (py * c.mid_z - pz * c.mid_y));
+  const double sy = dt * (g.vy[k] - along * c.mid_y - (pz * c.mid_x - px * c.mid_z));
+  const double sz = dt * (g.vz[k] - along * c.mid_z - (px * c.mid_y - py * c.mid_x));
+  c.spin =
+      0.5 * dt * ((g.wix[k] + g.wjx[k]) * c.mid_x + (g.wiy[k] + g.wjy[k]) * c.mid_y + (g.wiz[k] + g.wjz[k]) * c.mid_z);
+  // Half a step on, to the present plane, and with half the spin.
+  const double half = 0.5 * c.spin, lifted = sx * c.nx + sy * c.ny + sz * c.nz;
+  const double ux = sx - lifted * c.nx, uy = sy - lifted * c.ny, uz = sz - lifted * c.nz;
+  c.shear_x = ux + half * (c.ny * uz - c.nz * uy);
+  c.shear_y = uy + half * (c.nz * ux - c.nx * uz);
+  c.shear_z = uz + half * (c.nx * uy - c.ny * ux);
+  const double rx = dt * (g.wjx[k] - g.wix[k]), ry = dt * (g.wjy[k] - g.wiy[k]), rz = dt * (g.wjz[k] - g.wiz[k]);
+  const double twist = rx * c.mid_x + ry * c.mid_y + rz * c.mid_z, tilt = rx * c.nx + ry * c.ny + rz * c.nz;
+  c.turn_x = rx + (twist * c.nx - tilt * c.mid_x) + half * (c.ny * rz - c.nz * ry);
+  c.turn_y = ry + (twist * c.ny - tilt * c.mid_y) + half * (c.nz * rx - c.nx * rz);
+  c.turn_z = rz + (twist * c.nz - tilt * c.mid_z) + half * (c.nx * ry - c.ny * rx);
   c.intact = g.intact[k];
   c.breakable = guarded ? g.breakable[k] : g.intact[k];
   if constexpr (with_mass) c.reduced_mass = g.mi[k] * g.mj[k] / (g.mi[k] + g.mj[k]);

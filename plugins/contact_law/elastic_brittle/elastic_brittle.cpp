@@ -134,13 +134,14 @@ struct ElasticBrittle {
     f.shear_z = ks * s.spring_z;
     f.breaks = tension ? double(BondState::broken_tension) : shear ? double(BondState::broken_shear) : 0.0;
     // Stored before minus stored after. What a bond loses in the step it breaks is fracture energy; a slide after that
-    // dissipates the force it slides under times the way, plus the spring's second-order remainder.
+    // dissipates the way times the mean of the forces before and after: leapfrog's own work.
     const double lost_shear = 0.5 * ks * spring * spring * (1 - keep * keep);
     const double free_stored = 0.5 * pressed * (c.distance - free_length(c));
     const double bonded_stored = 0.5 * bonded_normal * (c.distance - c.rest_length);
     const bool broke = tension | shear;
     f.fracture_energy = broke ? lost_shear + bonded_stored - free_stored : 0.0;
-    f.friction_work = slides & !broke ? limit * spring * (1 - keep) : 0.0;
+    const double before = ks * (old.x * ux + old.y * uy + old.z * uz);
+    f.friction_work = slides & !broke ? 0.5 * (before + limit * spring) * (1 - keep) : 0.0;
     return f;
   }
 

@@ -106,7 +106,8 @@ struct Law {
         (1 + soft_n) * ea * c.rest_length * peak_n * peak_n * grown_n + (1 + soft_s) * ks * peak_s * peak_s * grown_s;
     const double left = keep_n * ea * c.rest_length * pulled * pulled + keep_s * ks * spring * spring;
     f.fracture_energy = 0.5 * (softened + (broke ? left : 0.0));
-    f.friction_work = slides ? limit * spring * (1 - keep) : 0.0;
+    const double before = ks * (old.x * ux + old.y * uy + old.z * uz);
+    f.friction_work = slides ? 0.5 * (before + limit * spring) * (1 - keep) : 0.0;  // the mean of two, as below
     f.contact_work =
         area * c.rest_length * (hardening.plastic_work(plastic) - hardening.plastic_work(s.plastic_strain)) +
         0.5 * (s.viscous_force + viscous) * c.normal_velocity * c.time_step;  // leapfrog's own work: the mean of two

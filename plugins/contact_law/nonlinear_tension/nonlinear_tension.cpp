@@ -108,7 +108,8 @@ struct Law {
     const double lost_shear = 0.5 * ks * shear * shear * (1 - keep * keep);
     const double lost = c.rest_length * (kn * stretch + lost_shear) - left + 0.5 * (km * bending2 + kt * twist * twist);
     f.fracture_energy = broke ? lost : 0.0;
-    f.friction_work = slides & !broke ? push * c.rest_length * shear * (1 - keep) : 0.0;
+    const double before = ks * (slid.x * sx + slid.y * sy + slid.z * sz);  // leapfrog's own work: the mean of two
+    f.friction_work = slides & !broke ? 0.5 * (before + push * shear) * c.rest_length * (1 - keep) : 0.0;
     return f;
   }
 

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "engine/law_probe.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "breccia/error.hpp"
+#include "engine/neighbours.hpp"
+
+namespace breccia {
+namespace {
+
+std::string number(double v) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", v);
+  return text;
+}
+
+std::string about(const State& s, std::size_t pair, const std::string& name) {
+  return "contact law `" + name + "`: " + pair_name(s, pair) + ", step " + std::to_string(s.step) + ": ";
+}
+
+double distance(const State& s, std::size_t pair) {
+  return (s.particles.position[s.pairs.j[pair]] - s.particles.position[s.pairs.i[pair]]).norm();
+}
+
+double touching(const State& s, std::size_t pair) {
+  return s.particles.radius[s.pairs.i[pair]] + s.particles.radius[s.pairs.j[pair]];
+}
+
+bool all_finite(const ContactStiffness& c) {
+  return std::isfinite(c.normal) && std::isfinite(c.shear) && std::isfinite(c.bending) && std::isfinite(c.torsion) &&
+         std::isfinite(c.damping);
+}
+
+/// Copies of all that one pair has, for the law to work on.
+struct OnePair {
+  OnePair(const State& s, std::size_t k, double stretch)
+      : rest(s.pairs.rest_length[k]), state(s.pairs.state[k]), column(s.pairs.columns.size()) {
+    const Index ends[] = {s.pairs.i[k], s.pairs.j[k]};
+    for (int e = 0; e < 2; ++e) {
+      position[e] = s.particles.position[ends[e]];
+      radius[e] = s.particles.radius[ends[e]];
+      mass[e] = s.particles.mass[ends[e]];
+    }
+    normal = (position[1] - position[0]).normalized();
+    position[1] += stretch * normal;
+    for (std::size_t c = 0; c < column.size(); ++c) column[c] = s.pairs.columns[c][k];
+    for (double& c : column) columns.push_back(&c);
+    batch.end = 1;
+    batch.i = &i;
+    batch.j = &j;
+    batch.rest_length = &rest;
+    batch.state = &state;
+    batch.columns = columns.data();
+    batch.position = position;
+    batch.velocity = still;
+    batch.angular_velocity = still;
+    batch.radius = radius;
+    batch.mass = mass;
+    batch.force = &force;
+    batch.moment = &moment;
+    batch.friction_work = batch.contact_work = batch.fracture_energy = &sum;
+    batch.chunk_broke = &broke;
+    batch.time_step = s.time_step;
+  }
+  OnePair(const OnePair&) = delete;
+  OnePair& operator=(const OnePair&) = delete;
+
+  Index i = 0, j = 1;
+  double rest;
+  BondState state;
+  std::vector<double> column;
+  std::vector<double*> columns;
+  Vec3 position[2], still[2] = {Vec3::Zero(), Vec3::Zero()}, normal, moment = Vec3::Zero();
+  double radius[2], mass[2], sum = 0;
+  PairForce force{};
+  std::uint8_t broke = 0;
+  PairBatch batch;
+};
+
+}  // namespace
+
+std::string pair_name(const State& s, std::size_t pair) {
+  const auto& id = s.particles.id;
+  const Index a = id[s.pairs.i[pair]], b = id[s.pairs.j[pair]];
+  return "particles " + std::to_string(std::min(a, b)) + " and " + std::to_string(std::max(a, b));
+}
+
+LawAnswer ask_law(State& s, ContactLaw& law, std::size_t k, double stretch) {
+  OnePair one(s, k, stretch);
+  law.evaluate(one.batch);
+  const Vec3 f(one.force.fx, one.force.fy, one.force.fz);
+  bool finite = f.allFinite() && one.moment.allFinite();
+  for (const double c : one.column) finite &= std::isfinite(c);
+  return {f.dot(one.normal), law.energy(one.batch), finite};
+}
+
+ContactStiffness ask_stiffness(State& s, ContactLaw& law, std::size_t k) {
+  OnePair one(s, k, 0);
+  ContactStiffness c;
+  law.stiffness(one.batch, &c);
+  return c;
+}
+
+void check_stiffness(State& s, ContactLaw& law, const std::string& name) {
+  constexpr std::size_t most = 64;
+  std::vector<std::size_t> held;
+  for (std::size_t k = 0; k < s.pairs.size(); ++k)
+    if (s.pairs.state[k] == BondState::intact || distance(s, k) < touching(s, k)) held.push_back(k);
+  for (std::size_t n = 0; n < std::min(most, held.size()); ++n) {
+    const std::size_t k = held[n * held.size() / std::min(most, held.size())];
+    const double small = 1e-6 * touching(s, k), stated = ask_stiffness(s, law, k).normal;
+    const LawAnswer pressed = ask_law(s, law, k, -small), now = ask_law(s, law, k, 0),
+                    pulled = ask_law(s, law, k, small);
+    if (!pressed.finite || !now.finite || !pulled.finite)
+      throw UserError(about(s, k, name) + "its force is not a finite number");
+    const double shown = std::max(now.normal - pressed.normal, pulled.normal - now.normal) / small;
+    if (shown > 2 * std::max(stated, 0.0))
+      throw UserError(about(s, k, name) + "it states a normal stiffness of " + number(stated) + " N/m, and its force " +
+                      "changes by " + number(shown) +
+                      " N per metre: a time step that follows from the first would be too long");
+  }
+}
+
+std::optional<std::string> blame_force(State& s, ContactLaw& law, const std::string& name) {
+  for (std::size_t k = 0; k < s.pairs.size(); ++k) {
+    const double d = distance(s, k);
+    if (!(d > 0) || !(d < 1e3 * touching(s, k))) continue;  // the motion ran away before
+    if (!ask_law(s, law, k, 0).finite) return about(s, k, name) + "its force is not a finite number";
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> blame_energy(State& s, ContactLaw& law, const std::string& name) {
+  for (std::size_t k = 0; k < s.pairs.size(); ++k) {
+    OnePair one(s, k, 0);
+    if (const double e = law.energy(one.batch); !std::isfinite(e))
+      return about(s, k, name) + "its stored energy is not a finite number (" + number(e) + " J)";
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> blame_stiffness(State& s, ContactLaw& law, const std::string& name) {
+  for (std::size_t k = 0; k < s.pairs.size(); ++k)
+    if (const ContactStiffness c = ask_stiffness(s, law, k); distance(s, k) > 0 && !all_finite(c))
+      return about(s, k, name) + "its stiffness is not a finite number (normal " + number(c.normal) + ", shear " +
+             number(c.shear) + " N/m): check moduli and radii";
+  return std::nullopt;
+}
+
+}  // namespace breccia
