@@ -71,6 +71,39 @@ TEST(ElasticConstants, SeatingShiftsTheSecantOnly) {
   EXPECT_NEAR(number(s.owned["secant"]["youngs_modulus_Pa"]), expected, 1e-6 * rock.modulus);
 }
 
+/// Strain is counted from seating, where the specimen already carries stress: 1 GPa, not 1.67.
+TEST(ElasticConstants, SecantOfASeatedSpecimen) {
+  LoadedPostprocessor p("elastic_constants", {{"modulus", "secant"}});
+  std::vector<double> stress, strain, lateral;
+  for (int k = 0; k <= 20; ++k) {
+    strain.push_back(1e-4 * k);
+    stress.push_back(0.5e6 + 1e9 * strain.back());
+    lateral.push_back(0.1 + 0.3 * strain.back());
+  }
+  p.curves.add_column("axial_stress", stress);
+  p.curves.add_column("axial_strain", strain);
+  p.curves.add_column("lateral_strain", lateral);
+  FakeSummary s = p.finish({});
+  EXPECT_NEAR(number(s.headlines["youngs_modulus_Pa"]), 1e9, 1);
+  EXPECT_NEAR(number(s.headlines["poisson_ratio"]), 0.3, 1e-9);
+  EXPECT_EQ(number(s.owned["secant"]["origin_stress_Pa"]), 0.5e6);
+}
+
+TEST(ElasticConstants, UnloadingIsNoFailure) {
+  const std::vector<double> stress{0, 10, 20, 10, 2, 10, 20, 15}, strain{0, 1, 2, 1, 0.2, 1, 2, 1.5};
+  for (const bool fails : {false, true}) {
+    LoadedPostprocessor p("elastic_constants");
+    p.curves.add_column("axial_stress", stress);
+    p.curves.add_column("axial_strain", strain);
+    p.curves.add_column("lateral_strain", strain);
+    // The specimen's own strain shrinks in both; only the machine tells whether it was led back or gave way.
+    p.curves.add_column("platen_strain", fails ? std::vector<double>{0, 1, 2, 3, 4, 5, 6, 7} : strain);
+    FakeSummary s = p.finish({});
+    EXPECT_EQ(s.headlines["peak_reached"], fails);
+    EXPECT_EQ(s.owned["after_peak"]["strain_to_half_of_peak"].is_null(), !fails);
+  }
+}
+
 TEST(ElasticConstants, SecantAsHeadline) {
   const Rock rock;
   LoadedPostprocessor p("elastic_constants", {{"modulus", "secant"}, {"secant_at", 0.75}});

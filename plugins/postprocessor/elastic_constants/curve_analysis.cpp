@@ -24,7 +24,8 @@ Peak find_peak(const StressStrainCurve& c) {
   p.row = std::size_t(std::max_element(c.stress.begin(), c.stress.end()) - c.stress.begin());
   p.stress = c.stress[p.row];
   p.strain = c.strain[p.row];
-  p.passed = *std::min_element(c.stress.begin() + long(p.row), c.stress.end()) < 0.95 * p.stress;
+  for (std::size_t row = p.row + 1; row < c.stress.size(); ++row)
+    p.passed = p.passed || (c.stress[row] < 0.95 * p.stress && c.as_far_as(p.row, row));
   return p;
 }
 
@@ -62,7 +63,7 @@ std::optional<CurvePoint> first_rise_to(const StressStrainCurve& c, double level
 
 std::optional<CurvePoint> first_fall_to(const StressStrainCurve& c, double level, std::size_t after) {
   for (std::size_t row = after + 1; row < c.stress.size(); ++row)
-    if (c.stress[row] <= level) return between(c, row, level);
+    if (c.stress[row] <= level && c.as_far_as(after, row)) return between(c, row, level);
   return {};
 }
 

@@ -11,12 +11,18 @@ namespace breccia {
 
 struct StressStrainCurve {
   std::vector<double> stress, strain, lateral;  ///< [Pa], [1], [1]; one value per sample
+  /// How far the test machine has gone [1]: where it goes back the specimen is unloaded, and a fall of the stress is no
+  /// failure. Empty for a test that only goes forward. The specimen's own strain does not tell: it may shrink as a
+  /// crack opens beside where it is measured.
+  std::vector<double> machine = {};
+  /// Whether a sample after `peak` shows the specimen at least as far loaded as there.
+  bool as_far_as(std::size_t peak, std::size_t row) const { return machine.empty() || machine[row] >= machine[peak]; }
 };
 
 struct Peak {
   std::size_t row = 0;
   double stress = 0, strain = 0;
-  bool passed = false;  ///< the stress fell afterwards by more than a twentieth
+  bool passed = false;  ///< the stress fell afterwards by more than a twentieth, and not because it was unloaded
 };
 
 struct Line {
@@ -42,7 +48,8 @@ FitRange loading_range(const StressStrainCurve& c, double lower, double upper);
 /// Least squares y = a + b x over the range; nothing with fewer than three samples or when x does not change.
 std::optional<Line> fit_line(const std::vector<double>& x, const std::vector<double>& y, const FitRange& range);
 
-/// Where the stress first reaches `level` [Pa], or, from row `after` on, first falls to it; interpolated.
+/// Where the stress first reaches `level` [Pa], or, past the peak in row `after`, first falls to it other than by
+/// unloading; interpolated.
 std::optional<CurvePoint> first_rise_to(const StressStrainCurve& c, double level);
 std::optional<CurvePoint> first_fall_to(const StressStrainCurve& c, double level, std::size_t after);
 

@@ -38,8 +38,9 @@ class ElasticConstants final : public Postprocessor {
         .source("ISRM (1979), Int. J. Rock Mech. Min. Sci. 16, 135-140; Rojek et al. (2012), Eq. 61")
         .details(
             "`average`: least-squares slope of the samples from `range_lower` to `range_upper` of the peak stress, on "
-            "the first way up (ISRM's average modulus of the straight part). `secant`: from the origin to `secant_at` "
-            "of the peak. Poisson's ratio is lateral over axial strain, taken in the same way. Name the stress "
+            "the first way up (ISRM's average modulus of the straight part). `secant`: from the first sample (the "
+            "stress of seating) to `secant_at` of the peak. Poisson's ratio is lateral over axial strain, taken in the "
+            "same way. Name the stress "
             "`deviatoric_stress` in a confined test, so that it starts at zero.");
     s.param("stress", &Config::stress).fallback("axial_stress").doc("curve of the stress, compression positive");
     s.param("strain", &Config::strain).fallback("axial_strain").doc("curve of the axial strain, compression positive");
@@ -53,7 +54,7 @@ class ElasticConstants final : public Postprocessor {
         .fallback("compression");
     s.param("modulus", &Config::modulus)
         .choice("average", Modulus::average, "slope of the straight part")
-        .choice("secant", Modulus::secant, "secant from the origin")
+        .choice("secant", Modulus::secant, "secant from the first sample")
         .doc("what the headline modulus and Poisson's ratio are; the summary has both")
         .fallback("average");
     s.param("range_lower", &Config::range_lower)
@@ -81,8 +82,8 @@ class ElasticConstants final : public Postprocessor {
   std::vector<std::string> needed_curves() const override { return {config_.stress, config_.strain, config_.lateral}; }
 
   void finish(const SimulationView&, const Curves& curves, Summary& summary) override {
-    const StressStrainCurve c{load(curves, config_.stress), load(curves, config_.strain),
-                              load(curves, config_.lateral)};
+    const StressStrainCurve c{load(curves, config_.stress), load(curves, config_.strain), load(curves, config_.lateral),
+                              machine(curves)};
     const Peak peak = c.stress.empty() ? Peak{} : find_peak(c);
     if (!(peak.stress > 0)) {
       for (const char* key : {"youngs_modulus_Pa", "poisson_ratio", "peak_stress_Pa", "peak_strain"})
@@ -96,8 +97,12 @@ class ElasticConstants final : public Postprocessor {
     const auto secant = first_rise_to(c, config_.secant_at * peak.stress);
     const auto slope_modulus = slope ? std::optional(slope->slope) : std::nullopt;
     const auto slope_poisson = lateral ? std::optional(lateral->slope) : std::nullopt;
-    const auto secant_modulus = secant ? ratio(secant->stress, secant->strain) : std::nullopt;
-    const auto secant_poisson = secant ? ratio(secant->lateral, secant->strain) : std::nullopt;
+    // From the first sample: strain is counted from there, and a seated specimen already carries stress.
+    const CurvePoint origin{c.stress[0], c.strain[0], c.lateral[0]};
+    const auto from_origin = [&](double CurvePoint::*of) {
+      return secant ? ratio((*secant).*of - origin.*of, secant->strain - origin.strain) : std::nullopt;
+    };
+    const auto secant_modulus = from_origin(&CurvePoint::stress), secant_poisson = from_origin(&CurvePoint::lateral);
 
     const bool average = config_.modulus == Modulus::average;
     summary.headline("youngs_modulus_Pa", or_null(average ? slope_modulus : secant_modulus));
@@ -113,7 +118,9 @@ class ElasticConstants final : public Postprocessor {
                                 {"range", fit_report(c, range, slope, lateral)}});
     summary.own("secant", Json{{"youngs_modulus_Pa", or_null(secant_modulus)},
                                {"poisson_ratio", or_null(secant_poisson)},
-                               {"share_of_peak", config_.secant_at}});
+                               {"share_of_peak", config_.secant_at},
+                               {"origin_stress_Pa", origin.stress},
+                               {"origin_strain", origin.strain}});
     const auto half = first_fall_to(c, 0.5 * peak.stress, peak.row);
     summary.own("after_peak", Json{{"last_stress_over_peak", c.stress.back() / peak.stress},
                                    {"strain_to_half_of_peak", half ? Json(half->strain - peak.strain) : Json()}});
@@ -132,6 +139,13 @@ class ElasticConstants final : public Postprocessor {
     if (config_.sense == Sense::tension)
       for (double& v : values) v = -v;
     return values;
+  }
+
+  /// The platens' approach, of tests that have one; in its sense of growing with the load.
+  std::vector<double> machine(const Curves& curves) const {
+    for (const Column& column : curves.columns())
+      if (column.name == "platen_strain") return load(curves, column.name);
+    return {};
   }
 
   std::string name_of_sense() const { return config_.sense == Sense::compression ? "compression" : "tension"; }

@@ -38,7 +38,9 @@ void describe_axial(Schema<Config>& s, double stop_stress_ratio) {
       .above(0)
       .below(1)
       .example("2 %")
-      .doc("platen strain at which the test ends at the latest; 5 % if neither this nor `stages` is given");
+      .doc(
+          "platen strain at which the test ends at the latest, also when a stage in stress is not reached by then; 5 % "
+          "(or the largest strain among the stages, if that is more) if it is not given");
   s.param("stop_stress_ratio", &Config::stop_stress_ratio)
       .at_least(0)
       .below(1)
@@ -56,7 +58,6 @@ void describe_axial(Schema<Config>& s, double stop_stress_ratio) {
       .items(1, 64)
       .example("[{axial_strain: 0.5 %}, {axial_stress: 1 MPa}, {axial_strain: 1 %}]")
       .doc("targets, one after the other, instead of max_strain: loading, unloading, cycles");
-  s.at_most_one_of({"max_strain", "stages"});
 }
 
 /// Refuses stages that ask for a confining pressure, where there is none to lead.
@@ -105,6 +106,11 @@ class AxialTest : public Protocol {
 
   void step(LoadControl& control) override {
     const double t = control.time();
+    if (!(platens_.approach(control) < (s_.seated ? s_.height : shape_.height)))
+      throw UserError(
+          "protocol: the platens have passed each other: nothing stopped the test before. Lower platen_velocity, "
+          "sample "
+          "more often (sampling.every_steps), or set max_strain");
     if (!s_.begun) {
       s_.begun = true;
       enter_stage(control);
@@ -148,7 +154,8 @@ class AxialTest : public Protocol {
       s_.failed = c_.stop_stress_ratio > 0 && first_time && s_.peak > c_.failure_stress &&
                   deviator < c_.stop_stress_ratio * s_.peak;
     }
-    return s_.failed || s_.stage >= stages_.size() ? Progress::finished : Progress::running;
+    s_.out_of_reach = !confining && s_.stage < stages_.size() && out_of_reach(mean);
+    return s_.failed || s_.out_of_reach || s_.stage >= stages_.size() ? Progress::finished : Progress::running;
   }
 
   double share_done() const override {
@@ -178,6 +185,7 @@ class AxialTest : public Protocol {
     summary.own("peak_deviatoric_platen_stress_Pa", s_.peak);
     summary.own("final_platen_strain", s_.strain);
     summary.own("stopped_by", s_.failed                   ? "stress drop"
+                              : s_.out_of_reach           ? "a stage that was not reached"
                               : s_.stage < stages_.size() ? "request"
                               : c_.stages                 ? "last stage"
                                                           : "max_strain");
@@ -214,7 +222,7 @@ class AxialTest : public Protocol {
         seating_stress_(seating_stress) {
     if (c_.stages) return;
     Stage last;
-    last.axial_strain = c_.max_strain.value_or(0.05);
+    last.axial_strain = strain_limit();
     stages_.push_back(last);
   }
 
@@ -228,10 +236,37 @@ class AxialTest : public Protocol {
     double lower_rise_before = 0, upper_fall_before = 0;  // before the start of loading
     double sense = 1;                                     // +1: the stage closes the platens
     SmoothRamp axial_stress;                              // target of the servo
-    bool begun = false, seated = false, failed = false, quiet = false, confined_once = false;
+    bool begun = false, seated = false, failed = false, out_of_reach = false, quiet = false, confined_once = false;
     std::size_t stage = 0;
     std::array<StageEnd, 64> ends;
   };
+
+  static std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+  }
+
+  double strain_limit() const {
+    double limit = c_.max_strain.value_or(0.05);
+    if (c_.stages && !c_.max_strain)
+      for (const Stage& stage : *c_.stages) limit = std::max(limit, stage.axial_strain.value_or(0));
+    return limit;
+  }
+
+  /// A target in stress beyond what the specimen carries, or below none at all, would never come; says so.
+  bool out_of_reach(double mean_force) {
+    const Stage& now = stages_[s_.stage];
+    const bool in_stress = now.axial_stress || now.deviatoric_stress;
+    const bool apart = in_stress && s_.sense < 0 && mean_force <= 0, strained = s_.strain > strain_limit();
+    if (!apart && !strained) return false;
+    host_->warn("protocol: stage " + std::to_string(s_.stage + 1) + " of " + std::to_string(stages_.size()) + " (" +
+                now.text() + ") was not reached: " +
+                (apart ? "the platens have come off the specimen, which they cannot pull"
+                       : "the platen strain has passed " + number(100 * strain_limit()) + " % (max_strain)") +
+                "; the test ends here");
+    return true;
+  }
 
   double strain(const LoadControl& control) const {
     return (platens_.approach(control) - s_.reference_approach) / s_.height;
@@ -245,9 +280,9 @@ class AxialTest : public Protocol {
       const WallView &low = platens_.lower(view), &up = platens_.upper(view);
       if (low.contacts == 0 || up.contacts == 0 ||
           std::min(below, above) < *seating_stress_ * shape_.cross_section_area) {
-        const double limit = c_.max_strain.value_or(0.05);
+        const double limit = strain_limit();
         if (platens_.approach(control) < limit * s_.height) return false;
-        throw UserError("protocol: the platens have closed by " + std::to_string(int(100 * limit)) +
+        throw UserError("protocol: the platens have closed by " + number(100 * limit) +
                         " % without both carrying "
                         "seating_stress; lower seating_stress, or look whether the specimen reaches from end to end");
       }
