@@ -2,39 +2,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <thread>
 
 #include "cli/console.hpp"
+#include "cli/results_table.hpp"
 #include "cli/verbs.hpp"
 #include "output/results_folder.hpp"
 #include "run/packing_cache.hpp"
 
 namespace breccia::cli {
-namespace {
-
-/// "measured | paper | difference" for every reference value whose key the summary has.
-std::string comparison(const Json& summary) {
-  const Json& reference = summary["reference"];
-  std::string text;
-  for (const auto& [key, value] : reference.items()) {
-    if (!value.is_number() || !summary.contains(key)) continue;
-    if (text.empty())
-      text = fmt::format("\n{:<24} | {:>12} | {:>12} | {:>10}\n{:-<68}\n", "", "measured", "paper", "difference", "");
-    const double r = value.get<double>();
-    if (!summary[key].is_number()) {
-      text += fmt::format("{:<24} | {:>12} | {:>12.6g} |\n", key, "none", r);
-      continue;
-    }
-    const double m = summary[key].get<double>();
-    text += fmt::format("{:<24} | {:>12.6g} | {:>12.6g} | {:>+8.2f} %\n", key, m, r, r != 0 ? 100 * (m / r - 1) : NAN);
-  }
-  return text.empty() ? text : text + "\n";
-}
-
-}  // namespace
-
 int run(const RunArguments& a) {
   const int cores = int(std::max(1u, std::thread::hardware_concurrency()));
   Console console(a.threads > 0 ? a.threads : cores);
@@ -52,16 +29,16 @@ int run(const RunArguments& a) {
   try {
     // What was stopped on request does not take the place of what had finished.
     bool apart = false;
-    const auto whole = [&](bool interrupted) {
-      apart = interrupted && results.replaces_finished();
+    const auto whole = [&](bool stopped) {
+      apart = stopped && results.replaces_finished();
       if (apart) return results.work();
-      results.take_over(!interrupted);
+      results.take_over(!stopped);
       return results.path();
     };
     const RunOutcome outcome = run_workflow(loaded, registry, {results.work(), default_cache_folder(), whole}, console);
     if (!apart) results.take_over(!outcome.summary["interrupted"].get<bool>());
     console.clear_bar();
-    std::fputs(comparison(outcome.summary).c_str(), stdout);
+    std::fputs(results_table(outcome.summary).c_str(), stdout);
     console.info(fmt::format(
         "{} in {:.1f} s; results in {}", outcome.interrupted ? "stopped on request" : "finished",
         outcome.summary["wall_time_s"].get<double>(),

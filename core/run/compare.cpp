@@ -2,6 +2,7 @@
 #include "run/compare.hpp"
 
 #include <algorithm>
+#include <fstream>
 
 #include "breccia/text_file.hpp"
 #include "output/atomic_file.hpp"

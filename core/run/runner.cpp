@@ -16,6 +16,7 @@
 #include "engine/specimen.hpp"
 #include "output/curve_table.hpp"
 #include "output/summary_table.hpp"
+#include "run/checks.hpp"
 #include "run/contention.hpp"
 #include "run/energy_check.hpp"
 #include "run/frames.hpp"
@@ -85,6 +86,7 @@ class Run {
         relative ? fmt::format("tolerance {:.4f}", bonding_.limit) : fmt::format("gap {:.4g} m", bonding_.limit)));
     time_column_ = curves_.add({"time", "s", "since the first step"});
     const SimulationView view = simulation_->view();
+    check_specimen(view, packing_porosity(), monitor_);
     protocol_->setup(view, *simulation_, curves_, monitor_);
     for (auto& p : posts_) p->begin(view, curves_, monitor_);
     for (auto& p : posts_)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The program as a user meets it: exit codes, messages, files.
+#include <algorithm>
 #include <csignal>
 #include <thread>
 
@@ -98,6 +99,40 @@ TEST_F(Cli, ResultsAreNeverSilentlyOverwritten) {
   write("mine/thesis.txt", "dear");
   EXPECT_EQ(call("run small.yaml --output mine --overwrite").code, 2) << "not a result folder";
   EXPECT_EQ(content(folder_ / "mine/thesis.txt"), "dear");
+}
+
+bool warned(const Json& summary, const std::string& of) {
+  const Json all = summary.at("warnings");
+  return std::any_of(all.begin(), all.end(),
+                     [&](const Json& w) { return w.get<std::string>().find(of) != std::string::npos; });
+}
+
+TEST_F(Cli, WarnsOfAPackingThatIsAlmostSurelyWrong) {
+  write_small();
+  const Result fine = call("run small.yaml --output fine");
+  ASSERT_EQ(fine.code, 0) << fine.text;
+  EXPECT_EQ(summary("fine")["warnings"], Json::array()) << "none where nothing is wrong";
+
+  std::string doubled = content(folder_ / "small.csv"), strays = doubled;
+  for (std::size_t at = 0; (at = doubled.find(",1\n", at)) != doubled.npos;) doubled.replace(at, 3, ",2\n");
+  write("small.csv", doubled);
+  const Result diameters = call("run small.yaml --output diameters --set protocol.max_strain=0.01%");
+  EXPECT_TRUE(warned(summary("diameters"), "porosity")) << diameters.text;
+  EXPECT_TRUE(warned(summary("diameters"), "overlap")) << diameters.text;
+  EXPECT_NE(diameters.text.find("warning: "), std::string::npos);
+
+  write("small.csv", strays + "200,1,1,1\n");
+  const Result stray = call("run small.yaml --output stray --set protocol.max_strain=0.01%");
+  EXPECT_TRUE(warned(summary("stray"), "particle 128 of the packing")) << stray.text;
+}
+
+TEST_F(Cli, ShowsTheResultsAfterARun) {
+  write_small();
+  const Result r = call("run small.yaml --output out");
+  for (const char* text :
+       {"Young's modulus (GPa)", "peak stress (MPa)", "bonds broken in tension", "energy unaccounted for (%)"})
+    EXPECT_NE(r.text.find(text), std::string::npos) << text << " in " << r.text;
+  EXPECT_EQ(r.text.find("paper"), std::string::npos) << "there is no reference";
 }
 
 TEST_F(Cli, AllErrorsOfAWorkflowInOnePassWithPlaces) {

@@ -216,5 +216,26 @@ TEST(Biaxial, IsTheSameTestInAPlane) {
   EXPECT_EQ(s(2, 2), 0);
 }
 
+/// Targets in stress that never come: platens cannot pull, and no specimen carries this.
+TEST(Stages, OutOfReachEndTheTest) {
+  ProtocolRun pull(simple_cubic(4, 4, 6, 1e-3), strong(), "elastic_brittle", 1e-6, "uniaxial_compression",
+                   {{"platen_velocity", 0.2}, {"stages", {{{"axial_stress", 10e6}}, {{"axial_stress", -1e6}}}}});
+  pull.go(200000);
+  EXPECT_EQ(pull.summary.at("stopped_by"), "a stage that was not reached");
+  EXPECT_EQ(pull.summary.at("stages").size(), 1u) << "the first was reached";
+
+  ProtocolRun push(simple_cubic(4, 4, 6, 1e-3), strong(), "elastic_brittle", 1e-6, "uniaxial_compression",
+                   {{"platen_velocity", 2}, {"max_strain", 0.01}, {"stages", {{{"axial_stress", 1e12}}}}});
+  push.go(200000);
+  EXPECT_EQ(push.summary.at("stopped_by"), "a stage that was not reached");
+  EXPECT_NEAR(push.summary.at("final_platen_strain").get<double>(), 0.01, 0.002);
+}
+
+TEST(Stages, PlatensThatPassEachOtherEndTheRun) {
+  ProtocolRun run(simple_cubic(4, 4, 6, 1e-3), strong(), "elastic_brittle", 1e-6, "uniaxial_compression",
+                  {{"platen_velocity", 20000}});
+  EXPECT_THROW(run.go(200000, 100000), UserError) << "before the first sample that could stop it";
+}
+
 }  // namespace
 }  // namespace breccia::testing

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace breccia {
+namespace {
+
+// Dense random packings of the shipped workflows stay far from these.
+constexpr double deep_overlap = 0.2;     ///< of the sum of the radii
+constexpr double wide_gap = 1.0;         ///< of the sum of the radii
+constexpr double few = 0.01;             ///< share of the bonds, below which nothing is said
+constexpr double unbonded_share = 0.05;  ///< of the particles
+constexpr double stray_growth = 0.02;    ///< by which a box around all particles may exceed that of the bonded ones
+
+struct Box {
+  Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
+  void add(const Vec3& x, double r) {
+    low = low.cwiseMin(x - Vec3::Constant(r));
+    high = high.cwiseMax(x + Vec3::Constant(r));
+  }
+};
+
+void check_bonds(const SimulationView& v, Host& host) {
+  std::size_t deep = 0, wide = 0;
+  const auto& r = v.particles.radius;
+  for (std::size_t k = 0; k < v.bonds.size(); ++k) {
+    const double touching = r[v.bonds.i[k]] + r[v.bonds.j[k]], distance = v.bonds.initial_distance[k];
+    deep += distance < (1 - deep_overlap) * touching;
+    wide += distance > (1 + wide_gap) * touching;
+  }
+  const double all = double(v.bonds.size());
+  if (double(deep) > few * all)
+    host.warn(
+        fmt::format("{:.3g} % of the bonded pairs overlap by more than {:.0f} % of the sum of their radii: are "
+                    "the radii right (not diameters)?",
+                    100 * double(deep) / all, 100 * deep_overlap));
+  if (double(wide) > few * all)
+    host.warn(
+        fmt::format("{:.3g} % of the bonds span a gap wider than the sum of the two radii: is the bonding gap or "
+                    "tolerance right?",
+                    100 * double(wide) / all));
+}
+
+void check_unbonded(const SimulationView& v, Host& host) {
+  const std::size_t n = v.particles.size();
+  std::vector<std::uint8_t> bonded(n, 0);
+  for (std::size_t k = 0; k < v.bonds.size(); ++k) bonded[v.bonds.i[k]] = bonded[v.bonds.j[k]] = 1;
+  const std::size_t loose = std::size_t(std::count(bonded.begin(), bonded.end(), std::uint8_t(0)));
+  if (loose == 0 || loose == n) return;  // a test without bonds knows what it does
+  Box all, held;
+  for (std::size_t a = 0; a < n; ++a) {
+    all.add(v.particles.position[a], v.particles.radius[a]);
+    if (bonded[a]) held.add(v.particles.position[a], v.particles.radius[a]);
+  }
+  for (int k = 0; k < (v.dimension == 2 ? 2 : 3); ++k) {
+    const double with = all.high[k] - all.low[k], without = held.high[k] - held.low[k];
+    if (with <= (1 + stray_growth) * without) continue;
+    std::size_t farthest = 0;
+    double off = -1;
+    for (std::size_t a = 0; a < n; ++a) {
+      const double x = v.particles.position[a][k], r = v.particles.radius[a];
+      const double beyond = std::max(x + r - held.high[k], held.low[k] - x + r);
+      if (!bonded[a] && beyond > off) {
+        off = beyond;
+        farthest = a;
+      }
+    }
+    host.warn(
+        fmt::format("particles without a bond make the specimen {:.3g} times as long in {} as the bonded ones are "
+                    "(particle {} of the packing reaches {:.3g} m beyond them): its area, stress and porosity "
+                    "are measured with them; remove strays from the packing",
+                    with / without, "xyz"[k], v.particles.id[farthest], off));
+    break;
+  }
+  if (double(loose) > unbonded_share * double(n))
+    host.warn(
+        fmt::format("{} of {} particles have no bond: is the packing dense enough, and the bonding tolerance "
+                    "wide enough?",
+                    loose, n));
+}
+
+}  // namespace
+
+void check_specimen(const SimulationView& view, double porosity, Host& host) {
+  if (porosity < 0)
+    host.warn(
+        fmt::format("the porosity is {:.3g}, below zero: the particles have more volume than the specimen. Are "
+                    "diameters given where radii are meant?",
+                    porosity));
+  check_bonds(view, host);
+  check_unbonded(view, host);
+}
+
+}  // namespace breccia
