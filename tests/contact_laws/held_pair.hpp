@@ -62,7 +62,8 @@ class HeldPair {
     const double dt = simulation_->time_step();
     for (int k = 0; k < n; ++k) {
       now_.normal += by.normal;
-      const double distance = start() + now_.normal - 0.5 * by.normal, half_gap = 0.5 * (distance - setup_.radius_i - setup_.radius_j);
+      const double distance = start() + now_.normal - 0.5 * by.normal,
+                   half_gap = 0.5 * (distance - setup_.radius_i - setup_.radius_j);
       const double share_i = -(setup_.radius_j + half_gap) / distance,
                    share_j = (setup_.radius_i + half_gap) / distance;
       const Vec3 roll(0, by.shear_z / distance, -by.shear_y / distance), bend(0, by.bend_y, by.bend_z),
