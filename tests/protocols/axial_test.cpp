@@ -231,6 +231,16 @@ TEST(Stages, OutOfReachEndTheTest) {
   EXPECT_NEAR(push.summary.at("final_platen_strain").get<double>(), 0.01, 0.002);
 }
 
+/// A limit ends a stage that loads, not one that unloads, or holds, from just past it.
+TEST(Stages, UnloadingAndHoldingAtTheStrainLimitAreReached) {
+  const Json stages = {{{"axial_strain", 0.01}}, {{"hold_time", 20e-6}}, {{"axial_stress", 1e6}}};
+  ProtocolRun run(simple_cubic(4, 4, 6, 1e-3), strong(), "elastic_brittle", 1e-6, "uniaxial_compression",
+                  {{"platen_velocity", 1}, {"max_strain", 0.01}, {"stages", stages}});
+  run.go(200000);
+  EXPECT_EQ(run.summary.at("stopped_by"), "last stage");
+  EXPECT_EQ(run.summary.at("stages").size(), 3u);
+}
+
 TEST(Stages, PlatensThatPassEachOtherEndTheRun) {
   ProtocolRun run(simple_cubic(4, 4, 6, 1e-3), strong(), "elastic_brittle", 1e-6, "uniaxial_compression",
                   {{"platen_velocity", 20000}});

@@ -39,8 +39,8 @@ void describe_axial(Schema<Config>& s, double stop_stress_ratio) {
       .below(1)
       .example("2 %")
       .doc(
-          "platen strain at which the test ends at the latest, also when a stage in stress is not reached by then; 5 % "
-          "(or the largest strain among the stages, if that is more) if it is not given");
+          "platen strain at which the test ends at the latest, also when a stage in stress is not reached by then; if "
+          "it is not given 5 %, past the largest strain among the stages");
   s.param("stop_stress_ratio", &Config::stop_stress_ratio)
       .at_least(0)
       .below(1)
@@ -106,7 +106,7 @@ class AxialTest : public Protocol {
 
   void step(LoadControl& control) override {
     const double t = control.time();
-    if (!(platens_.approach(control) < (s_.seated ? s_.height : shape_.height)))
+    if (!(s_.seated ? strain(control) < 1 : platens_.approach(control) < shape_.height))
       throw UserError(
           "protocol: the platens have passed each other: nothing stopped the test before. Lower platen_velocity, "
           "sample "
@@ -159,7 +159,7 @@ class AxialTest : public Protocol {
   }
 
   double share_done() const override {
-    if (s_.failed || s_.stage >= stages_.size()) return 1;
+    if (s_.failed || s_.out_of_reach || s_.stage >= stages_.size()) return 1;
     const Stage& now = stages_[s_.stage];
     const double way = now.axial_strain ? *now.axial_strain - s_.strain_at_entry : 0;
     const double within = way != 0 ? std::clamp((s_.strain - s_.strain_at_entry) / way, 0.0, 1.0) : 0.0;
@@ -248,17 +248,18 @@ class AxialTest : public Protocol {
   }
 
   double strain_limit() const {
-    double limit = c_.max_strain.value_or(0.05);
-    if (c_.stages && !c_.max_strain)
-      for (const Stage& stage : *c_.stages) limit = std::max(limit, stage.axial_strain.value_or(0));
-    return limit;
+    if (c_.max_strain) return *c_.max_strain;
+    double farthest = 0;
+    if (c_.stages)
+      for (const Stage& stage : *c_.stages) farthest = std::max(farthest, stage.axial_strain.value_or(0));
+    return farthest + 0.05;
   }
 
   /// A target in stress beyond what the specimen carries, or below none at all, would never come; says so.
   bool out_of_reach(double mean_force) {
     const Stage& now = stages_[s_.stage];
-    const bool in_stress = now.axial_stress || now.deviatoric_stress;
-    const bool apart = in_stress && s_.sense < 0 && mean_force <= 0, strained = s_.strain > strain_limit();
+    const bool in_stress = now.axial_stress || now.deviatoric_stress, closes = s_.sense > 0 && !now.hold_time;
+    const bool apart = in_stress && s_.sense < 0 && mean_force <= 0, strained = closes && s_.strain > strain_limit();
     if (!apart && !strained) return false;
     host_->warn("protocol: stage " + std::to_string(s_.stage + 1) + " of " + std::to_string(stages_.size()) + " (" +
                 now.text() + ") was not reached: " +
