@@ -109,21 +109,31 @@ bool warned(const Json& summary, const std::string& of) {
 
 TEST_F(Cli, WarnsOfAPackingThatIsAlmostSurelyWrong) {
   write_small();
+  const auto lattice = [](int radius) {
+    std::ostringstream csv;
+    csv << "x,y,z,radius\n";
+    for (int k = 0; k < 8; ++k)
+      for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 4; ++i) csv << 2 * i + 1 << ',' << 2 * j + 1 << ',' << 2 * k + 1 << ',' << radius << '\n';
+    return csv.str();
+  };
+  write("small.csv", lattice(1));
   const Result fine = call("run small.yaml --output fine");
   ASSERT_EQ(fine.code, 0) << fine.text;
   EXPECT_EQ(summary("fine")["warnings"], Json::array()) << "none where nothing is wrong";
 
-  std::string doubled = content(folder_ / "small.csv"), strays = doubled;
-  for (std::size_t at = 0; (at = doubled.find(",1\n", at)) != doubled.npos;) doubled.replace(at, 3, ",2\n");
-  write("small.csv", doubled);
-  const Result diameters = call("run small.yaml --output diameters --set protocol.max_strain=0.01%");
+  write("small.csv", lattice(2));
+  const Result diameters = call("run small.yaml --output diameters --set protocol.max_strain=0.0001");
+  ASSERT_EQ(diameters.code, 0) << diameters.text;
   EXPECT_TRUE(warned(summary("diameters"), "porosity")) << diameters.text;
   EXPECT_TRUE(warned(summary("diameters"), "overlap")) << diameters.text;
   EXPECT_NE(diameters.text.find("warning: "), std::string::npos);
 
-  write("small.csv", strays + "200,1,1,1\n");
-  const Result stray = call("run small.yaml --output stray --set protocol.max_strain=0.01%");
-  EXPECT_TRUE(warned(summary("stray"), "particle 128 of the packing")) << stray.text;
+  // One alone, and two that are bonded to each other.
+  write("small.csv", lattice(1) + "200,1,1,1\n");
+  EXPECT_NE(call("run small.yaml --output one").text.find("particle 128 of the packing"), std::string::npos);
+  write("small.csv", lattice(1) + "200,1,1,1\n202,1,1,1\n");
+  EXPECT_NE(call("run small.yaml --output two").text.find("particle 129 of the packing"), std::string::npos);
 }
 
 TEST_F(Cli, ShowsTheResultsAfterARun) {
