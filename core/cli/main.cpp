@@ -210,7 +210,8 @@ int dispatch(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     const int code = dispatch(argc, argv);
-    if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return code;
+    // A reader that has seen enough (`| head`) is no error; a full disk is.
+    if ((std::fflush(stdout) == 0 && !std::ferror(stdout)) || errno == EPIPE) return code;
     std::fprintf(stderr, "cannot write the output: %s\n", std::strerror(errno));
     return cli::bad_input;
   } catch (const Cancelled&) {

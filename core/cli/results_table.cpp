@@ -69,7 +69,7 @@ std::string results_table(const Json& summary) {
     text += "The stress had not fallen from its largest value when the run ended: the peak need not be the strength.\n";
   if (const std::size_t n = summary.value("warnings", Json::array()).size(); n > 0)
     text += fmt::format("{} warning{}: see above, run.log or summary.json\n", n, n == 1 ? "" : "s");
-  return text.empty() ? text : text + "\n";
+  return text;
 }
 
 }  // namespace breccia::cli

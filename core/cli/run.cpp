@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <thread>
 
@@ -39,6 +40,8 @@ int run(const RunArguments& a) {
     if (!apart) results.take_over(!outcome.summary["interrupted"].get<bool>());
     console.clear_bar();
     std::fputs(results_table(outcome.summary).c_str(), stdout);
+    // Before the last line, which goes to the other stream. A reader that has seen enough is no error.
+    if (std::fflush(stdout) != 0 && errno == EPIPE) std::clearerr(stdout);
     console.info(fmt::format(
         "{} in {:.1f} s; results in {}", outcome.interrupted ? "stopped on request" : "finished",
         outcome.summary["wall_time_s"].get<double>(),
