@@ -326,9 +326,14 @@ void Simulation::set_wall_velocity(std::size_t wall, const Vec3& velocity) {
 void Simulation::hold(Index a, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity) {
   Particles& p = state_.particles;
   p.held[a] |= mask;
+  // Whoever changes the velocity of a held particle gives it that energy.
+  const auto lead = [&](double& now, double to, double inertia) {
+    state_.energy.boundary_work += 0.5 * inertia * (to * to - now * now);
+    now = to;
+  };
   for (int k = 0; k < 3; ++k) {
-    if (mask >> k & 1) p.velocity[a][k] = velocity[k];
-    if (mask >> (k + 3) & 1) p.angular_velocity[a][k] = angular_velocity[k];
+    if (mask >> k & 1) lead(p.velocity[a][k], velocity[k], p.mass[a]);
+    if (mask >> (k + 3) & 1) lead(p.angular_velocity[a][k], angular_velocity[k], p.inertia[a]);
   }
 }
 

@@ -159,7 +159,7 @@ TEST_F(FromFile, BadVtpFilesAreRefused) {
   const std::string whole{std::istreambuf_iterator<char>(in), {}};
   for (const std::size_t length : {whole.size() / 20, whole.size() / 2, whole.size() - 30})
     expect(user_error([&] { load(folder_.file("cut.vtp", whole.substr(0, length)), cylinder); }),
-           "cut.vtp: it is missing, damaged");
+           "cut.vtp: it is damaged");
   const Issues issues =
       issues_of(BRECCIA_FROM_FILE_PLUGIN, {{"file", "/a.vtp"}, {"length_unit", "mm"}, {"outline", "box"}});
   ASSERT_EQ(issues.size(), 1u);
