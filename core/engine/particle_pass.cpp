@@ -128,6 +128,17 @@ void undo_positions(State& s) {
   }
 }
 
+double led_work_behind(const State& s) {
+  const Particles& p = s.particles;
+  double sum = 0;
+  for (std::size_t a = 0; a < p.size(); ++a)
+    for (int k = 0; k < 3; ++k) {
+      if (p.held[a] >> k & 1) sum -= p.force[a][k] * p.velocity[a][k];
+      if (p.held[a] >> (k + 3) & 1) sum -= p.torque[a][k] * p.angular_velocity[a][k];
+    }
+  return 0.5 * s.time_step * sum;
+}
+
 double kinetic_energy(const State& s) {
   const Particles& p = s.particles;
   double sum = 0;

@@ -34,6 +34,10 @@ PassSums integrate(State& state, const Damping& damping, bool any_applied, int t
 /// After a step that left a velocity that is no finite number: the positions of before it.
 void undo_positions(State& state);
 
+/// Work of the hands that lead held particles, in the half step that lies behind the positions: `integrate` books whole
+/// steps ahead, with the resultant at their beginning [J].
+double led_work_behind(const State& state);
+
 /// At the time of the positions [J], as 1/2 m v(before) v(after) with the velocities half a step to either side: the
 /// form that leapfrog conserves exactly, together with the stored energy, in a linear system. Damping is left out of
 /// the second on purpose, since the ledger counts its work up to the middle of the step only.

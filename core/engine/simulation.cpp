@@ -284,7 +284,7 @@ SpecimenShape Simulation::set_specimen_axis(const Vec3& axis) {
 void Simulation::mark_start_of_loading() {
   fold_chunk_sums();
   state_.energy = {};
-  state_.energy.boundary_work = wall_work_ahead(state_);
+  state_.energy.boundary_work = wall_work_ahead(state_) - led_work_behind(state_);
   state_.energy.initial = elastic_energy() + kinetic_energy(state_);
   state_.particles.reference_position = state_.particles.position;
   for (Wall& w : state_.walls) w.displacement.setZero();
@@ -326,14 +326,14 @@ void Simulation::set_wall_velocity(std::size_t wall, const Vec3& velocity) {
 void Simulation::hold(Index a, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity) {
   Particles& p = state_.particles;
   p.held[a] |= mask;
-  // Whoever changes the velocity of a held particle gives it that energy.
-  const auto lead = [&](double& now, double to, double inertia) {
-    state_.energy.boundary_work += 0.5 * inertia * (to * to - now * now);
+  // Whoever changes the velocity of a held particle gives it that energy; and the half step before was at the old one.
+  const auto lead = [&](double& now, double to, double inertia, double load) {
+    state_.energy.boundary_work += 0.5 * (inertia * (to * to - now * now) + state_.time_step * load * (to - now));
     now = to;
   };
   for (int k = 0; k < 3; ++k) {
-    if (mask >> k & 1) lead(p.velocity[a][k], velocity[k], p.mass[a]);
-    if (mask >> (k + 3) & 1) lead(p.angular_velocity[a][k], angular_velocity[k], p.inertia[a]);
+    if (mask >> k & 1) lead(p.velocity[a][k], velocity[k], p.mass[a], p.force[a][k]);
+    if (mask >> (k + 3) & 1) lead(p.angular_velocity[a][k], angular_velocity[k], p.inertia[a], p.torque[a][k]);
   }
 }
 
@@ -381,7 +381,7 @@ SimulationView Simulation::view() {
   v.wall_contacts = wall_contacts_;
   v.specimen = s.specimen;
   v.energy.initial = s.energy.initial;
-  v.energy.boundary_work = s.energy.boundary_work - wall_work_ahead(s);
+  v.energy.boundary_work = s.energy.boundary_work - wall_work_ahead(s) + led_work_behind(s);
   v.energy.elastic = elastic_energy();
   v.energy.kinetic = kinetic_energy(s);
   v.energy.friction = s.energy.friction;
