@@ -37,15 +37,19 @@ int run(const RunArguments& a) {
       return results.path();
     };
     const RunOutcome outcome = run_workflow(loaded, registry, {results.work(), default_cache_folder(), whole}, console);
-    if (!apart) results.take_over(!outcome.summary["interrupted"].get<bool>());
+    if (!apart) results.take_over(outcome.failure.empty() && !outcome.summary["interrupted"].get<bool>());
     console.clear_bar();
     std::fputs(results_table(outcome.summary).c_str(), stdout);
     // Before the last line, which goes to the other stream. A reader that has seen enough is no error.
     if (std::fflush(stdout) != 0 && errno == EPIPE) std::clearerr(stdout);
     console.info(fmt::format(
-        "{} in {:.1f} s; results in {}", outcome.interrupted ? "stopped on request" : "finished",
+        "{} in {:.1f} s; results in {}",
+        !outcome.failure.empty() ? "ended before its time"
+        : outcome.interrupted    ? "stopped on request"
+                                 : "finished",
         outcome.summary["wall_time_s"].get<double>(),
         apart ? results.work().string() + " (the earlier ones, which had finished, are kept)" : folder.string()));
+    if (!outcome.failure.empty()) return bad_input;
     return outcome.interrupted ? interrupted : ok;
   } catch (const std::exception& e) {
     console.clear_bar();

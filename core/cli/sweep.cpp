@@ -59,6 +59,10 @@ int run_one(const SweepArguments& a, const Sweep& sweep) {
     const RunOutcome outcome =
         run_workflow(resolved.loaded, sweep.registry(c), {folder, default_cache_folder()}, console);
     console.clear_bar();
+    if (!outcome.failure.empty()) {
+      record.failed(outcome.failure);
+      return failure;
+    }
     outcome.interrupted ? record.interrupted() : record.finished();
     console.info(outcome.interrupted ? "stopped on request" : "finished");
     return outcome.interrupted ? interrupted : ok;

@@ -29,10 +29,6 @@ std::string EnergyCheck::text(double share, const std::string& when) const {
 
 void EnergyCheck::sample(const EnergyLedger& e, std::uint64_t step, Host& host) {
   see(e);
-  // The work of led particles and walls is known to half a step: in the first few steps that is a large share of it.
-  constexpr std::uint64_t settled = 50;
-  if (!first_) first_ = step;
-  if (step < *first_ + settled) return;
   const double off = share(e.error(), limits_.floor);
   const std::string when = fmt::format("at step {}", step);
   if (off > limits_.end)

@@ -2,7 +2,6 @@
 /// Energy that does not close is never silent.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "breccia/services.hpp"
@@ -20,7 +19,7 @@ class EnergyCheck {
  public:
   EnergyCheck(const EnergyLimits& limits, std::string law) : limits_(limits), law_(std::move(law)) {}
 
-  /// While the test goes on, but for its first 50 steps: warns once; UserError above the limit.
+  /// While the test goes on: warns once; UserError above the limit.
   void sample(const EnergyLedger& energy, std::uint64_t step, Host& host);
   /// At the end the test is known whole: small ones are held to the same share, whatever the floor.
   void finish(const EnergyLedger& energy, std::uint64_t step, Host& host);
@@ -34,7 +33,6 @@ class EnergyCheck {
   std::string law_;
   double largest_ = 0;  // [J]
   bool warned_ = false;
-  std::optional<std::uint64_t> first_;  ///< step of the first sample
 };
 
 }  // namespace breccia

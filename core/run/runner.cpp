@@ -50,10 +50,11 @@ class Run {
     loop();
     finish();
     write_summary(seconds_since(start));  // whole before the pictures, which may take long or be interrupted
-    const std::filesystem::path results = options_.whole ? options_.whole(interrupted_) : options_.folder;
+    const std::filesystem::path results =
+        options_.whole ? options_.whole(interrupted_ || !failure_.empty()) : options_.folder;
     draw(results);
     write_summary(seconds_since(start));
-    return {summary_.json(), interrupted_};
+    return {summary_.json(), interrupted_, failure_};
   }
 
  private:
@@ -177,14 +178,20 @@ class Run {
     const bool was_loading = sim.loading_started();
     curves_.set(time_column_, sim.time());
     SimulationView view = sim.view();
-    const Progress progress = protocol_->sample(view, sim, curves_);
+    Progress progress = protocol_->sample(view, sim, curves_);
     if (!was_loading && sim.loading_started()) {
       view = sim.view();  // reference positions and ledger have just been set
       for (auto& p : posts_) p->start_of_loading(view);
     }
     if (sim.loading_started()) {
       if (!energy_check_) energy_check_.emplace(energy_limits(), w_.contact_law.type);
-      energy_check_->sample(view.energy, view.step, monitor_);
+      try {
+        energy_check_->sample(view.energy, view.step, monitor_);
+      } catch (const UserError& e) {  // what was measured so far is kept, and says so
+        failure_ = e.what();
+        monitor_.warn(failure_);
+        progress = Progress::finished;
+      }
       for (auto& p : posts_) p->sample(view, curves_);
       curves_.end_row();
       frames_->at(view, !was_loading);
@@ -283,6 +290,7 @@ class Run {
   std::size_t time_column_ = 0;
   double loop_seconds_ = 0;
   bool interrupted_ = false;
+  std::string failure_;
 };
 
 }  // namespace

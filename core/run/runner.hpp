@@ -38,6 +38,7 @@ struct RunOptions {
 struct RunOutcome {
   Json summary;
   bool interrupted = false;
+  std::string failure = {};  ///< why the test ended before its time, with all files whole; empty when it did not
 };
 
 /// UserError for what the user can mend. Stops soon after `monitor.cancelled()`, with all files whole.
