@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "breccia/protocol_tools/equilibrium.hpp"
 #include "engine/law_probe.hpp"
 #include "engine/specimen.hpp"
 #include "engine/time_step.hpp"
@@ -174,6 +175,7 @@ void Simulation::record_breaks() {
       const double distance =
           std::sqrt(branch.x() * branch.x() + branch.y() * branch.y() + branch.z() * branch.z());  // as the loop has it
       const double half_gap = 0.5 * (distance - s.particles.radius[i] - s.particles.radius[j]);
+      broken_ += !is_broken(s.bonds.state[b]) && is_broken(s.pairs.state[k]);
       s.bonds.state[b] = s.pairs.state[k];
       s.bonds.break_time[b] = s.time;
       s.bonds.break_normal[b] = branch.normalized();
@@ -230,6 +232,14 @@ double Simulation::elastic_energy() {
   return sum + wall_energy(state_);
 }
 
+double Simulation::unbalanced_force_ratio() {
+  BRECCIA_ASSERT(pair_forces_known_ && forces_known_);
+  std::vector<std::uint8_t> held(state_.particles.size());
+  for (std::size_t a = 0; a < held.size(); ++a)
+    held[a] = (state_.particles.held[a] & ~(state_.dimension == 2 ? dof::out_of_plane : 0)) != 0;
+  return breccia::unbalanced_force_ratio(state_.particles.force, state_.pairs.force, held);
+}
+
 ParticlesView Simulation::particles() const {
   const Particles& p = state_.particles;
   return {p.position,
@@ -239,9 +249,10 @@ ParticlesView Simulation::particles() const {
           p.force,
           p.torque,
           p.applied_force,
-          p.applied_moment,
+          {},
           p.radius,
           p.mass,
+          p.held,
           p.id};
 }
 
@@ -323,9 +334,13 @@ void Simulation::set_wall_velocity(std::size_t wall, const Vec3& velocity) {
   state_.walls.at(wall).velocity = velocity;
 }
 
-void Simulation::hold(Index a, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity) {
+void Simulation::hold(Index a, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity, const Vec3& arm) {
   Particles& p = state_.particles;
   p.held[a] |= mask;
+  if (!arm.isZero(0) || !p.holding_arm.empty()) {
+    p.holding_arm.resize(p.size(), Vec3::Zero());
+    p.holding_arm[a] = arm;
+  }
   // Whoever changes the velocity of a held particle gives it that energy; and the half step before was at the old one.
   const auto lead = [&](double& now, double to, double inertia, double load) {
     state_.energy.boundary_work += 0.5 * (inertia * (to * to - now * now) + state_.time_step * load * (to - now));
@@ -350,6 +365,21 @@ void Simulation::set_applied_force(Index a, const Vec3& force, const Mat3& momen
   any_applied_ = true;
 }
 
+namespace {
+
+/// A force that holds a particle is the opposite of what the others do to it.
+std::vector<Mat3> boundary_moments(const Particles& p) {
+  std::vector<Mat3> moment = p.applied_moment;
+  if (p.holding_arm.empty()) return moment;
+  moment.resize(p.size(), Mat3::Zero());
+  for (std::size_t a = 0; a < p.size(); ++a)
+    for (int k = 0; k < 3; ++k)
+      if (p.held[a] >> k & 1) moment[a].col(k) -= p.force[a][k] * p.holding_arm[a];
+  return moment;
+}
+
+}  // namespace
+
 SimulationView Simulation::view() {
   BRECCIA_ASSERT(pair_forces_known_);
   State& s = state_;
@@ -362,6 +392,7 @@ SimulationView Simulation::view() {
   v.step = s.step;
   const Particles& p = s.particles;
   v.particles = particles();
+  v.particles.boundary_moment = boundary_moment_ = boundary_moments(p);
   v.pairs = {s.pairs.i, s.pairs.j, s.pairs.rest_length, s.pairs.state, s.pairs.bond, s.pairs.force, s.pairs.moment, {}};
   for (const auto& c : s.pairs.columns) v.pairs.columns.emplace_back(c);
   const Bonds& b = s.bonds;

@@ -46,7 +46,8 @@ class Simulation final : public LoadControl {
 
   std::size_t add_wall(const WallSpec& spec) override;
   void set_wall_velocity(std::size_t wall, const Vec3& velocity) override;
-  void hold(Index particle, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity) override;
+  void hold(Index particle, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity,
+            const Vec3& arm = Vec3::Zero()) override;
   void release(Index particle, std::uint8_t mask) override;
   void set_applied_force(Index particle, const Vec3& force, const Mat3& moment) override;
   SpecimenShape set_specimen_axis(const Vec3& axis) override;
@@ -57,6 +58,9 @@ class Simulation final : public LoadControl {
   ParticlesView particles() const override;
   Vec3 wall_force(std::size_t wall) const override { return state_.walls.at(wall).force; }
   Vec3 wall_displacement(std::size_t wall) const override { return state_.walls.at(wall).displacement; }
+  double wall_normal_force(std::size_t wall) const override { return state_.walls.at(wall).normal_force; }
+  std::size_t broken_bonds() const override { return broken_; }
+  double unbalanced_force_ratio() override;
   BondStiffness bond_stiffness() override;
 
  private:
@@ -82,7 +86,9 @@ class Simulation final : public LoadControl {
   std::vector<Vec3> external_force_, external_torque_;
   bool any_applied_ = false, loading_started_ = false, pair_forces_known_ = true, forces_known_ = false;
   std::uint64_t rebuilds_ = 0;
+  std::size_t broken_ = 0;  ///< of the bonds
   std::vector<WallView> wall_views_;
+  std::vector<Mat3> boundary_moment_;
   std::vector<WallContact> wall_contacts_;
 };
 

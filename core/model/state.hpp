@@ -15,10 +15,11 @@ namespace breccia {
 /// One row per particle, in spatial (Morton) order. Velocities belong to the middle of the last step.
 struct Particles {
   std::vector<Vec3> position, velocity, angular_velocity;  // [m], [m/s], [rad/s]
-  std::vector<Vec3> force, torque;            ///< undamped resultants of the last force evaluation [N], [N m]
-  std::vector<Vec3> reference_position;       ///< at the start of loading [m]
-  std::vector<Vec3> applied_force;            ///< by the protocol [N]
-  std::vector<Mat3> applied_moment;           ///< (point - centre) (x) force [N m]; empty until there is one
+  std::vector<Vec3> force, torque;       ///< undamped resultants of the last force evaluation [N], [N m]
+  std::vector<Vec3> reference_position;  ///< at the start of loading [m]
+  std::vector<Vec3> applied_force;       ///< by the protocol [N]
+  std::vector<Mat3> applied_moment;      ///< (point - centre) (x) force [N m]; empty until there is one
+  std::vector<Vec3> holding_arm;  ///< from the centre to where a holding force acts [m]; empty until there is one
   std::vector<double> radius, mass, inertia;  // [m], [kg], [kg m2]
   std::vector<std::uint8_t> held;             ///< bits of `dof`
   std::vector<Index> id;                      ///< row in the packing

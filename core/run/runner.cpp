@@ -20,6 +20,7 @@
 #include "run/contention.hpp"
 #include "run/energy_check.hpp"
 #include "run/frames.hpp"
+#include "run/loading.hpp"
 #include "run/packing_cache.hpp"
 #include "run/render.hpp"
 #include "run/warning_log.hpp"
@@ -145,22 +146,21 @@ class Run {
                               w_.engine.time_step_safety, sim.state().pairs.size(), monitor_.threads(),
                               monitor_.threads() == 1 ? "" : "s"));
     Contention contention(monitor_.threads());
+    Loading loading(sim, *protocol_, {std::uint64_t(w_.sampling.every_steps), w_.sampling.load_change});
     for (;;) {
       auto start = Clock::now();
       const bool cancelled = monitor_.cancelled();
-      const bool sampled = sim.state().step % std::uint64_t(w_.sampling.every_steps) == 0 || cancelled;
-      protocol_->step(sim);
-      sim.forces(sampled);
+      const LoadingStep now = loading.step(cancelled);
       loop_seconds_ += seconds_since(start);
-      if (sampled) {
+      if (now.row) {
         if (contention.noticed())
           monitor_.warn(
               "other programs use this run's cores too, and threads that wait for each other make it many times "
               "slower: "
               "stop it and start it with fewer --threads (the results do not depend on it)");
-        const bool finished = sample() == Progress::finished;
-        if (finished || cancelled) {
-          interrupted_ = cancelled && !finished;
+        sample(now.begins);
+        if (now.ends || !failure_.empty()) {
+          interrupted_ = cancelled && failure_.empty();
           break;
         }
       }
@@ -168,38 +168,42 @@ class Run {
       sim.advance();
       loop_seconds_ += seconds_since(start);
     }
+    warn_of_missed_peak(loading);
     frames_->at(sim.view(), true);
     frames_->finish();
     curves_.close();
   }
 
-  Progress sample() {
+  void sample(bool begins) {
     Simulation& sim = *simulation_;
-    const bool was_loading = sim.loading_started();
-    curves_.set(time_column_, sim.time());
-    SimulationView view = sim.view();
-    Progress progress = protocol_->sample(view, sim, curves_);
-    if (!was_loading && sim.loading_started()) {
-      view = sim.view();  // reference positions and ledger have just been set
-      for (auto& p : posts_) p->start_of_loading(view);
-    }
+    const SimulationView view = sim.view();
     if (sim.loading_started()) {
+      curves_.set(time_column_, sim.time());
+      protocol_->sample(view, curves_);
+      if (begins)
+        for (auto& p : posts_) p->start_of_loading(view);
       if (!energy_check_) energy_check_.emplace(energy_limits(), w_.contact_law.type);
       try {
         energy_check_->sample(view.energy, view.step, monitor_);
       } catch (const UserError& e) {  // what was measured so far is kept, and says so
         failure_ = e.what();
         monitor_.warn(failure_);
-        progress = Progress::finished;
       }
       for (auto& p : posts_) p->sample(view, curves_);
       curves_.end_row();
-      frames_->at(view, !was_loading);
+      frames_->at(view, begins);
     }
-    std::size_t broken = 0;
-    for (const BondState s : view.bonds.state) broken += is_broken(s);
-    monitor_.status({protocol_->share_done(), view.step, view.time, broken, protocol_->status()});
-    return progress;
+    monitor_.status({protocol_->share_done(), view.step, view.time, sim.broken_bonds(), protocol_->status()});
+  }
+
+  /// Whatever is read off the curves is read off their rows.
+  void warn_of_missed_peak(const Loading& loading) {
+    constexpr double share = 0.01;
+    if (loading.peak_of_rows() >= (1 - share) * loading.peak()) return;
+    monitor_.warn(fmt::format(
+        "the curves miss the peak: between their rows the load rose to {:.4g}, in them to {:.4g}. Strength and moduli "
+        "read off them depend on sampling.every_steps: make it smaller{}",
+        loading.peak(), loading.peak_of_rows(), w_.sampling.load_change > 0 ? "" : ", or set sampling.load_change"));
   }
 
   EnergyLimits energy_limits() {

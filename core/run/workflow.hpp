@@ -40,6 +40,7 @@ struct EngineConfig {
 
 struct SamplingConfig {
   long every_steps;
+  double load_change;
   static void describe(Schema<SamplingConfig>& s);
 };
 

@@ -96,6 +96,23 @@ TEST_F(Lattices, DirectTensionOfALattice) {
   }
 }
 
+/// Stress and strain of the particles, the defaults of elastic_constants: the forces of the grips count at the end
+/// faces, and strain is that between them, however deep they reach.
+TEST_F(Lattices, DirectTensionByTheDefaultColumns) {
+  std::string defaults = cubes.substr(0, cubes.find("postprocessors:"));
+  defaults += "postprocessors: [{type: stress}, {type: bagi_strain}, {type: elastic_constants, sense: tension}]\n";
+  for (const std::string grip : {"1 mm", "5 mm"}) {
+    const Json s =
+        run("grip_" + grip.substr(0, 1),
+            defaults + "protocol: {type: direct_tension, plate_velocity: 0.05 m/s, ramp_time: 100 us, grip: " + grip +
+                "}\n");
+    if (HasFailure()) return;
+    EXPECT_NEAR(s["youngs_modulus_Pa"].get<double>(), 10e9, 0.01 * 10e9) << grip;
+    EXPECT_NEAR(s["peak_stress_Pa"].get<double>(), s["direct_tension"]["peak_tension_Pa"].get<double>(), 0.01 * 20e6);
+    EXPECT_NEAR(s["peak_stress_Pa"].get<double>(), 20e6, 0.03 * 20e6) << grip;
+  }
+}
+
 TEST_F(Lattices, DirectTensionBreaksWhereItMay) {
   // All bonds are equal, the layer is two bonds high: only those may break.
   const std::string tension = cubes + "protocol: {type: direct_tension, plate_velocity: 0.2 m/s, grip: 1.5 mm, ";

@@ -59,6 +59,37 @@ TEST(ElasticConstants, OfABilinearCurve) {
   EXPECT_EQ(s.owned.count("note"), 0u);
 }
 
+/// A rigid cell, and one that gives way a little: a slope of stress over strain is not Young's modulus there.
+TEST(ElasticConstants, OfAConfinedSpecimenByHookesLaw) {
+  const double modulus = 20e9, poisson = 0.2;
+  for (const int dimension : {3, 2})
+    for (const double bulging : {0.0, 0.05}) {
+      LoadedPostprocessor p("elastic_constants");
+      std::vector<double> axial, lateral, strain, bulge;
+      const double m = dimension - 1;
+      for (int k = 0; k <= 200; ++k) {
+        const double e = 1e-5 * k, l = -bulging * e;  // compression positive
+        // Lame's form of Hooke's law; a plane has one cross direction and no stress out of it.
+        const double lame = modulus * poisson / ((1 + poisson) * (dimension == 3 ? 1 - 2 * poisson : 1 - poisson)),
+                     shear = modulus / (2 * (1 + poisson)), volume = e + m * l;
+        axial.push_back(lame * volume + 2 * shear * e);
+        lateral.push_back(lame * volume + 2 * shear * l);
+        strain.push_back(e);
+        bulge.push_back(-l);
+      }
+      p.curves.add_column("axial_stress", axial);
+      p.curves.add_column("lateral_stress", lateral);
+      p.curves.add_column("axial_strain", strain);
+      p.curves.add_column("lateral_strain", bulge);
+      SimulationView view;
+      view.dimension = dimension;
+      FakeSummary s = p.finish(view);
+      EXPECT_NEAR(number(s.headlines["youngs_modulus_Pa"]), modulus, 1e-9 * modulus) << dimension << ' ' << bulging;
+      EXPECT_NEAR(number(s.headlines["poisson_ratio"]), poisson, 1e-9);
+      EXPECT_NEAR(number(s.owned["confinement"]["axial_stress_over_strain_Pa"]), axial.back() / strain.back(), 1e3);
+    }
+}
+
 TEST(ElasticConstants, SeatingShiftsTheSecantOnly) {
   Rock rock;
   rock.seating = 1e-3;

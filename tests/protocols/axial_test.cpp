@@ -216,6 +216,47 @@ TEST(Biaxial, IsTheSameTestInAPlane) {
   EXPECT_EQ(s(2, 2), 0);
 }
 
+/// Seating, peak, stages and end are decided after every step: rows of curves only look on.
+TEST(Sampling, HasNoPartInTheTest) {
+  const Json to_failure = {{"platen_velocity", 0.5}, {"max_strain", 0.03}};
+  const Json stages = {{"platen_velocity", 0.5},
+                       {"stages", {{{"confining_pressure", 5e6}}, {{"axial_strain", 0.004}}, {{"axial_stress", 6e6}}}}};
+  for (const auto& [protocol, config] :
+       {std::pair("uniaxial_compression", to_failure), std::pair("triaxial_compression", stages)}) {
+    std::map<std::string, Json> first;
+    std::uint64_t steps = 0;
+    for (const int every : {1, 20, 777, 1000000}) {
+      ProtocolRun run(block(), elastic_brittle(), "elastic_brittle", 0.2, protocol, config);
+      run.go(300000, every);
+      run.summary.erase("unbalanced_force_ratio_max_before_peak");  // of the rows there are
+      run.summary.erase("confining_pressure_applied_Pa");
+      if (steps == 0) {
+        first = run.summary;
+        steps = run.simulation().state().step;
+        EXPECT_GT(run.summary.at("peak_platen_stress_Pa").get<double>(), 1e6);
+      }
+      EXPECT_EQ(run.summary, first) << protocol << ", rows every " << every << " steps";
+      EXPECT_EQ(run.simulation().state().step, steps) << protocol << ", rows every " << every << " steps";
+    }
+  }
+}
+
+/// However rarely rows are asked for, those that a fast change or a peak calls for show the peak and the way there.
+TEST(Sampling, RowsAreAddedWhereTheLoadChanges) {
+  for (const int every : {20, 1000000}) {
+    ProtocolRun run(block(), elastic_brittle(), "elastic_brittle", 0.2, "uniaxial_compression",
+                    {{"platen_velocity", 0.5}, {"max_strain", 0.03}});
+    run.go(300000, every, 0.02);
+    const auto stress = run.rows.column("platen_stress");
+    const double peak = run.summary.at("peak_platen_stress_Pa").get<double>();
+    EXPECT_LE(*std::max_element(stress.begin(), stress.end()), peak);
+    EXPECT_GE(*std::max_element(stress.begin(), stress.end()), 0.995 * peak) << every;
+    std::size_t between = 0;
+    for (const double s : stress) between += s > 0.1 * peak && s < 0.4 * peak;
+    EXPECT_GT(between, 20u) << every;
+  }
+}
+
 /// Targets in stress that never come: platens cannot pull, and no specimen carries this.
 TEST(Stages, OutOfReachEndTheTest) {
   ProtocolRun pull(simple_cubic(4, 4, 6, 1e-3), strong(), "elastic_brittle", 1e-6, "uniaxial_compression",
@@ -243,8 +284,8 @@ TEST(Stages, UnloadingAndHoldingAtTheStrainLimitAreReached) {
 
 TEST(Stages, PlatensThatPassEachOtherEndTheRun) {
   ProtocolRun run(simple_cubic(4, 4, 6, 1e-3), strong(), "elastic_brittle", 1e-6, "uniaxial_compression",
-                  {{"platen_velocity", 20000}});
-  EXPECT_THROW(run.go(200000, 100000), UserError) << "before the first sample that could stop it";
+                  {{"platen_velocity", 20000}, {"ramp_time", 0.0}});
+  EXPECT_THROW(run.go(200000, 100000), UserError) << "within a step";
 }
 
 }  // namespace

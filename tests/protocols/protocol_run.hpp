@@ -7,6 +7,7 @@
 #include <map>
 
 #include "breccia/protocol.hpp"
+#include "run/loading.hpp"
 #include "support/support.hpp"
 
 namespace breccia::testing {
@@ -75,14 +76,14 @@ class ProtocolRun {
 
   /// To the protocol's end; fails when it takes more steps. `watch` sees each sample.
   template <class Watch>
-  void go(int most_steps, Watch&& watch, int every = 20) {
+  void go(int most_steps, Watch&& watch, int every = 20, double load_change = 0) {
+    Loading loading(*simulation_, *protocol_, {std::uint64_t(every), load_change});
     for (int k = 0; k < most_steps; ++k) {
-      protocol_->step(*simulation_);
-      simulation_->forces();
-      if (k % every == 0) {
-        const Progress progress = protocol_->sample(simulation_->view(), *simulation_, rows);
+      const LoadingStep now = loading.step();
+      if (now.row) {
+        if (simulation_->loading_started()) protocol_->sample(simulation_->view(), rows);
         watch(*simulation_);
-        if (progress == Progress::finished) {
+        if (now.ends) {
           Noted noted;
           protocol_->finish(simulation_->view(), rows, noted);
           summary = noted.all;
@@ -93,9 +94,9 @@ class ProtocolRun {
     }
     FAIL() << "the protocol did not end in " << most_steps << " steps: " << protocol_->status();
   }
-  void go(int most_steps, int every = 20) {
+  void go(int most_steps, int every = 20, double load_change = 0) {
     go(
-        most_steps, [](Simulation&) {}, every);
+        most_steps, [](Simulation&) {}, every, load_change);
   }
   Simulation& simulation() { return *simulation_; }
 
@@ -120,7 +121,7 @@ inline Mat3 mean_stress(Simulation& sim) {
     sum += (x[v.pairs.j[k]] - x[v.pairs.i[k]]) * Vec3(f.fx, f.fy, f.fz).transpose();
   }
   for (const WallContact& c : v.wall_contacts) sum += (c.point - x[c.particle]) * c.force.transpose();
-  for (const Mat3& moment : v.particles.applied_moment) sum += moment;
+  for (const Mat3& moment : v.particles.boundary_moment) sum += moment;
   return sum / v.specimen.volume;
 }
 

@@ -8,7 +8,7 @@
 
 #include "breccia/schema.hpp"
 
-#define BRECCIA_SDK_ABI 5  ///< raise with every change of a type or virtual function of the SDK
+#define BRECCIA_SDK_ABI 6  ///< raise with every change of a type or virtual function of the SDK
 
 namespace breccia {
 

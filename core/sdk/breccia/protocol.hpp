@@ -33,8 +33,10 @@ class LoadControl {
  public:
   virtual std::size_t add_wall(const WallSpec& spec) = 0;  ///< only in `setup`
   virtual void set_wall_velocity(std::size_t wall, const Vec3& velocity) = 0;
-  /// Holds the velocity components in `mask` (bits of `dof`) of a particle at the given values.
-  virtual void hold(Index particle, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity) = 0;
+  /// Holds the velocity components in `mask` (bits of `dof`) of a particle at the given values. `arm`: from its centre
+  /// to where the holding force acts, for the mean stress [m].
+  virtual void hold(Index particle, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity,
+                    const Vec3& arm = Vec3::Zero()) = 0;
   virtual void release(Index particle, std::uint8_t mask) = 0;
   /// A force without torque; stays until set again [N]. `moment` says where it acts, for the mean stress: the sum over
   /// its parts of (point - centre) (x) force [N m].
@@ -52,13 +54,23 @@ class LoadControl {
   virtual ParticlesView particles() const = 0;                 ///< as the last step left them
   virtual Vec3 wall_force(std::size_t wall) const = 0;         ///< of the particles on the wall, in the last step [N]
   virtual Vec3 wall_displacement(std::size_t wall) const = 0;  ///< since the start of loading [m]
-  virtual BondStiffness bond_stiffness() = 0;                  ///< of the intact bonds; costs a pass over them
+  /// Sum of the particles' normal forces on the wall, whatever their directions, in the last step [N].
+  virtual double wall_normal_force(std::size_t wall) const = 0;
+  virtual std::size_t broken_bonds() const = 0;
+  /// Mean resultant on a particle that is not held over mean contact force; a pass over all pairs. Only from `decide`,
+  /// in a step that the last `decide` asked to look at.
+  virtual double unbalanced_force_ratio() = 0;
+  virtual BondStiffness bond_stiffness() = 0;  ///< of the intact bonds; costs a pass over them
 
  protected:
   ~LoadControl() = default;
 };
 
-enum class Progress { running, finished };
+enum class Progress {
+  running,
+  look,  ///< the forces of the next step are wanted in full: to begin loading, or to measure how far from equilibrium
+  finished  ///< the next step is the last: it gives the last row of the curves
+};
 
 class BRECCIA_API Protocol : public Plugin {
  public:
@@ -67,8 +79,17 @@ class BRECCIA_API Protocol : public Plugin {
   virtual void setup(const SimulationView& view, LoadControl& control, Recorder& recorder, Host& host) = 0;
   /// Before the forces of each step. Cheap: no allocation, no loop over particles unless needed.
   virtual void step(LoadControl& control) = 0;
-  /// At each sample, with forces and positions of the same instant; fills its columns and may end the run.
-  virtual Progress sample(const SimulationView& view, LoadControl& control, Recorder& recorder) = 0;
+  /// After the forces of each step, before the motion: whether loading begins, where the peak is, whether the test has
+  /// ended. Nothing is decided elsewhere, hence nothing depends on how often the curves are sampled. Cheap, as `step`.
+  /// The first step may be looked at without having asked.
+  virtual Progress decide(LoadControl& control) = 0;
+  /// How far the specimen is loaded, as `decide` left it: grows with the load, in any unit. Rows are added to the
+  /// curves where it changes fast and at its peak, however rarely they are sampled. 0 throughout: nothing is added.
+  virtual double load() const { return 0; }
+  /// Of what size `load` is at the least once the specimen is loaded: changes of a small share of this do not matter.
+  virtual double load_scale() const { return 0; }
+  /// Fills its columns, of the instant of the last `decide`.
+  virtual void sample(const SimulationView& view, Recorder& recorder) const = 0;
   virtual double share_done() const = 0;             ///< estimate, 0 to 1, for the progress bar
   virtual std::string status() const { return {}; }  ///< a few words for it ("stress 120 MPa")
   virtual void finish(const SimulationView&, const Curves&, Summary&) {}

@@ -33,10 +33,13 @@ struct SpecimenShape {
 
 struct ParticlesView {
   std::span<const Vec3> position, velocity, angular_velocity, initial_position;  // [m], [m/s], [rad/s], [m]
-  std::span<const Vec3> force, torque;   ///< undamped resultants at the current positions [N], [N m]
-  std::span<const Vec3> applied_force;   ///< by the protocol [N]
-  std::span<const Mat3> applied_moment;  ///< of it: (point - centre) (x) force [N m]; empty when there is none
+  std::span<const Vec3> force, torque;  ///< undamped resultants at the current positions [N], [N m]
+  std::span<const Vec3> applied_force;  ///< by the protocol [N]
+  /// Of the applied force and of the force that holds a particle: (point where it acts - centre) (x) force [N m]; empty
+  /// when there is none.
+  std::span<const Mat3> boundary_moment;
   std::span<const double> radius, mass;  // [m], [kg]
+  std::span<const std::uint8_t> held;    ///< velocity components that follow the protocol or the plane: bits of `dof`
   std::span<const Index> id;             ///< number in the packing
   std::size_t size() const { return radius.size(); }
 };

@@ -36,7 +36,8 @@ class BagiStrain final : public Postprocessor {
         .details(
             "The centres are joined to tetrahedra (triangles in two dimensions) by their regular triangulation, at the "
             "first step and again at the start of loading. Displacements are linear in each; the strain is the "
-            "symmetric part of their volume-weighted mean gradient, for small strains. Components are positive in "
+            "symmetric part of their volume-weighted mean gradient, for small strains. Where all corners of a simplex "
+            "are held, in the grips of a tension test, it does not count. Components are positive in "
             "extension; `axial_strain` and `volumetric_strain` are positive in compression, `lateral_strain` in "
             "extension.");
     s.param("hull_gap", &Config::hull_gap)
@@ -101,6 +102,7 @@ class BagiStrain final : public Postprocessor {
     summary.own("simplices", r.simplices);
     summary.own("flat_simplices_left_out", r.flat);
     summary.own("outline_simplices_left_out", r.peeled);
+    summary.own("gripped_simplices_left_out", r.gripped);
     summary.own("outline_volume_share_left_out", r.peeled_volume_share);
     summary.own("hidden_particles", r.hidden);
     summary.own("loose_particles_left_out", shown_as_.size() - kept_.size());
@@ -111,18 +113,26 @@ class BagiStrain final : public Postprocessor {
   }
 
  private:
-  /// The reference is what the engine counts displacements from; it can only change at the start of loading.
+  /// The reference is what the engine counts displacements from; it, and who is held, can only change at the start of
+  /// loading.
   void refer(const SimulationView& view) {
     const ParticlesView& p = view.particles;
     const auto now = p.initial_position;
-    if (!reference_.empty() && std::equal(now.begin(), now.end(), reference_.begin(), reference_.end())) return;
+    std::vector<std::uint8_t> held(p.held.begin(), p.held.end());
+    if (held == held_ && std::equal(now.begin(), now.end(), reference_.begin(), reference_.end())) return;
     reference_.assign(now.begin(), now.end());
+    held_ = std::move(held);
     double mean_radius = 0;
     for (const double r : p.radius) mean_radius += r / double(p.size());
     choose(view);
     std::vector<double> radius;
-    for (const Index k : kept_) radius.push_back(p.radius[k]);
-    mean_ = MeanStrain(view.dimension, of_kept(now, position_), radius, config_.hull_gap * 2 * mean_radius);
+    std::vector<std::uint8_t> rigid;
+    const std::uint8_t all = view.dimension == 2 ? dof::x | dof::y : dof::x | dof::y | dof::z;
+    for (const Index k : kept_) {
+      radius.push_back(p.radius[k]);
+      rigid.push_back((held_[k] & all) == all);
+    }
+    mean_ = MeanStrain(view.dimension, of_kept(now, position_), radius, config_.hull_gap * 2 * mean_radius, rigid);
   }
 
   /// The particles that count, and for each particle the one whose local strain it shows: itself, or the nearest that
@@ -167,6 +177,7 @@ class BagiStrain final : public Postprocessor {
   MeanStrain mean_;
   std::vector<Index> kept_, shown_as_;
   std::vector<Vec3> reference_, position_;
+  std::vector<std::uint8_t> held_;
   std::array<std::size_t, 6> tensor_{};
   std::size_t axial_ = 0, lateral_ = 0, volumetric_ = 0;
 };

@@ -18,15 +18,21 @@ double total_volume(const Triangulation& t, std::span<const Vec3> centre) {
 
 }  // namespace
 
-MeanStrain::MeanStrain(int dimension, std::span<const Vec3> reference, std::span<const double> radius, double gap_limit)
+MeanStrain::MeanStrain(int dimension, std::span<const Vec3> reference, std::span<const double> radius, double gap_limit,
+                       std::span<const std::uint8_t> rigid)
     : triangulation_(triangulate(dimension, reference, radius)), reference_(reference.begin(), reference.end()) {
   const std::size_t count = reference.size();
   const double hull_volume = total_volume(triangulation_, reference);
   report_.flat = triangulation_.flat;
   report_.peeled = peel_hull(triangulation_, reference, radius, gap_limit);
+  const double kept_volume = total_volume(triangulation_, reference);
+  report_.peeled_volume_share = hull_volume > 0 ? 1 - kept_volume / hull_volume : 0;
+  report_.gripped = std::erase_if(triangulation_.simplices, [&](const auto& s) {
+    return !rigid.empty() &&
+           std::all_of(s.begin(), s.begin() + triangulation_.corners(), [&](Index k) { return rigid[k]; });
+  });
   report_.simplices = triangulation_.simplices.size();
   report_.volume = total_volume(triangulation_, reference);
-  report_.peeled_volume_share = hull_volume > 0 ? 1 - report_.volume / hull_volume : 0;
   if (report_.simplices == 0)
     throw UserError(
         "bagi_strain: the particles of the packing are so far apart that no part of it counts as filled; "

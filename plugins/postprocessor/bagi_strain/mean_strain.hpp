@@ -15,6 +15,7 @@ class MeanStrain {
   struct Report {
     std::size_t simplices = 0;       ///< averaged over
     std::size_t flat = 0;            ///< left out: no volume
+    std::size_t gripped = 0;         ///< left out: all corners are held and move as one
     std::size_t peeled = 0;          ///< left out: they bridged gaps of the outline
     double peeled_volume_share = 0;  ///< of the convex hull
     std::size_t hidden = 0;          ///< particles that are corner of no simplex
@@ -24,7 +25,8 @@ class MeanStrain {
 
   MeanStrain() = default;
   /// `gap_limit` [m]: see peel_hull. UserError when no simplex is left.
-  MeanStrain(int dimension, std::span<const Vec3> reference, std::span<const double> radius, double gap_limit);
+  MeanStrain(int dimension, std::span<const Vec3> reference, std::span<const double> radius, double gap_limit,
+             std::span<const std::uint8_t> rigid = {});
 
   /// Mean displacement gradient, du_a/dx_b, when the centres have moved from the reference to `position`.
   Mat3 gradient(std::span<const Vec3> position) const;

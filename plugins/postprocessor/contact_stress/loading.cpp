@@ -28,7 +28,7 @@ double axial_stress(const SimulationView& view) {
     sum += part(p.position[view.pairs.j[k]] - p.position[view.pairs.i[k]], Vec3(f.fx, f.fy, f.fz));
   }
   for (const WallContact& c : view.wall_contacts) sum += part(c.point - p.position[c.particle], c.force);
-  for (const Mat3& moment : p.applied_moment) sum += axis.dot(moment * axis);
+  for (const Mat3& moment : p.boundary_moment) sum += axis.dot(moment * axis);
   return -sum / view.specimen.volume;
 }
 

@@ -2,6 +2,7 @@
 #include "curve_analysis.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace breccia {
 namespace {
@@ -65,6 +66,14 @@ std::optional<CurvePoint> first_fall_to(const StressStrainCurve& c, double level
   for (std::size_t row = after + 1; row < c.stress.size(); ++row)
     if (c.stress[row] <= level && c.as_far_as(after, row)) return between(c, row, level);
   return {};
+}
+
+std::optional<ConfinedSlopes> confined_slopes(double axial, double lateral, double bulging, int dimension) {
+  if (!(std::abs(lateral) > 0.05 * std::abs(axial))) return {};
+  // 1 = (axial - m nu lateral)/E and -bulging = (lateral (1 - (m - 1) nu) - nu axial)/E with m cross directions.
+  const double m = dimension - 1;
+  const double nu = (lateral + bulging * axial) / (m * bulging * lateral + (m - 1) * lateral + axial);
+  return ConfinedSlopes{axial - m * nu * lateral, nu, lateral / axial, axial};
 }
 
 }  // namespace breccia

@@ -53,4 +53,16 @@ std::optional<Line> fit_line(const std::vector<double>& x, const std::vector<dou
 std::optional<CurvePoint> first_rise_to(const StressStrainCurve& c, double level);
 std::optional<CurvePoint> first_fall_to(const StressStrainCurve& c, double level, std::size_t after);
 
+/// From slopes over the axial strain.
+struct ConfinedSlopes {
+  double youngs_modulus = 0, poisson_ratio = 0;
+  double stress_ratio = 0;         ///< lateral over axial stress
+  double constrained_modulus = 0;  ///< axial stress over axial strain [Pa]
+};
+
+/// Hooke's law for a specimen with the same stress in all cross directions, of which a plane has one: slopes of axial
+/// and lateral stress [Pa] and of lateral strain (extension positive) over axial strain. None when the lateral stress
+/// grows by less than a twentieth of the axial one, either way.
+std::optional<ConfinedSlopes> confined_slopes(double axial, double lateral, double bulging, int dimension);
+
 }  // namespace breccia

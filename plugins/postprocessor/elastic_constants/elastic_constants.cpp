@@ -41,7 +41,9 @@ class ElasticConstants final : public Postprocessor {
             "the first way up (ISRM's average modulus of the straight part). `secant`: from the first sample (the "
             "stress of seating) to `secant_at` of the peak. Poisson's ratio is lateral over axial strain, taken in the "
             "same way. Name the stress "
-            "`deviatoric_stress` in a confined test, so that it starts at zero.");
+            "`deviatoric_stress` in a confined test, so that it starts at zero. Where the lateral stress grows by more "
+            "than a twentieth of what the axial one does in that range (a rigid cell), modulus and Poisson's ratio are "
+            "those of Hooke's law with both, `axial_stress` and `lateral_stress` of the post-processor `stress`.");
     s.param("stress", &Config::stress).fallback("axial_stress").doc("curve of the stress, compression positive");
     s.param("strain", &Config::strain).fallback("axial_strain").doc("curve of the axial strain, compression positive");
     s.param("lateral", &Config::lateral)
@@ -81,7 +83,7 @@ class ElasticConstants final : public Postprocessor {
 
   std::vector<std::string> needed_curves() const override { return {config_.stress, config_.strain, config_.lateral}; }
 
-  void finish(const SimulationView&, const Curves& curves, Summary& summary) override {
+  void finish(const SimulationView& view, const Curves& curves, Summary& summary) override {
     const StressStrainCurve c{load(curves, config_.stress), load(curves, config_.strain), load(curves, config_.lateral),
                               machine(curves)};
     const Peak peak = c.stress.empty() ? Peak{} : find_peak(c);
@@ -105,14 +107,22 @@ class ElasticConstants final : public Postprocessor {
     const auto secant_modulus = from_origin(&CurvePoint::stress), secant_poisson = from_origin(&CurvePoint::lateral);
 
     const bool average = config_.modulus == Modulus::average;
-    summary.headline("youngs_modulus_Pa", or_null(average ? slope_modulus : secant_modulus));
-    summary.headline("poisson_ratio", or_null(average ? slope_poisson : secant_poisson));
+    const auto confined = slope ? confinement(curves, c, range, view.dimension) : std::nullopt;
+    if (confined) {
+      summary.headline("youngs_modulus_Pa", confined->youngs_modulus);
+      summary.headline("poisson_ratio", confined->poisson_ratio);
+      summary.own("confinement", Json{{"lateral_over_axial_stress", confined->stress_ratio},
+                                      {"axial_stress_over_strain_Pa", confined->constrained_modulus}});
+    } else {
+      summary.headline("youngs_modulus_Pa", or_null(average ? slope_modulus : secant_modulus));
+      summary.headline("poisson_ratio", or_null(average ? slope_poisson : secant_poisson));
+    }
     summary.headline("peak_stress_Pa", peak.stress);
     summary.headline("peak_strain", peak.strain);
     summary.headline("peak_reached", peak.passed);
 
     summary.own("sense", name_of_sense());
-    summary.own("modulus", average ? "average" : "secant");
+    summary.own("modulus", confined ? "average, of a confined specimen" : average ? "average" : "secant");
     summary.own("average", Json{{"youngs_modulus_Pa", or_null(slope_modulus)},
                                 {"poisson_ratio", or_null(slope_poisson)},
                                 {"range", fit_report(c, range, slope, lateral)}});
@@ -146,6 +156,22 @@ class ElasticConstants final : public Postprocessor {
     for (const Column& column : curves.columns())
       if (column.name == "platen_strain") return load(curves, column.name);
     return {};
+  }
+
+  /// Where the lateral stress grows with the axial one, a slope of stress over strain is no Young's modulus: Hooke's
+  /// law with both stresses as the particles carry them. None where it stays (or is not measured).
+  std::optional<ConfinedSlopes> confinement(const Curves& curves, const StressStrainCurve& c, const FitRange& range,
+                                            int dimension) const {
+    const auto slope_of = [&](const char* name) -> std::optional<double> {
+      for (const Column& column : curves.columns())
+        if (column.name == name)
+          if (const auto line = fit_line(c.strain, load(curves, name), range)) return line->slope;
+      return {};
+    };
+    const auto axial = slope_of("axial_stress"), lateral = slope_of("lateral_stress");
+    const auto bulging = fit_line(c.strain, c.lateral, range);
+    if (!axial || !lateral || !bulging) return {};
+    return confined_slopes(*axial, *lateral, bulging->slope, dimension);
   }
 
   std::string name_of_sense() const { return config_.sense == Sense::compression ? "compression" : "tension"; }

@@ -37,11 +37,12 @@ class Stress final : public Postprocessor {
             "Christoffersen, Mehrabadi, Nemat-Nasser (1981), J. Appl. Mech. 48, 339-344; "
             "Rojek et al. (2012), section 5.3")
         .details(
-            "sigma = (1/V) [sum over pairs of l_ij (x) F on i + sum over wall contacts and applied forces of (point "
-            "where "
-            "it acts - centre) (x) force on the particle], l_ij from centre i to centre j, V the volume of the "
-            "specimen as measured at the "
-            "start of loading. Components are positive in tension; `axial_stress`, `lateral_stress` and `mean_stress` "
+            "sigma = (1/V) [sum over pairs of l_ij (x) F on i + sum over wall contacts, applied forces and forces that "
+            "hold a particle of (point where it acts - centre) (x) force on the particle], l_ij from centre i to "
+            "centre j, V the volume of the specimen as measured at the start of loading. As that volume stays while "
+            "the specimen grows shorter, the axial stress is that of the platens (force over the area at the start) "
+            "times the present height over that at the start: 1 % below it at a strain of 1 %. Components are positive "
+            "in tension; `axial_stress`, `lateral_stress` and `mean_stress` "
             "are positive in compression.");
   }
 
@@ -110,7 +111,7 @@ class Stress final : public Postprocessor {
       sum += (x[view.pairs.j[k]] - x[view.pairs.i[k]]) * Vec3(f.fx, f.fy, f.fz).transpose();
     }
     for (const WallContact& c : view.wall_contacts) sum += (c.point - x[c.particle]) * c.force.transpose();
-    for (const Mat3& moment : view.particles.applied_moment) sum += moment;
+    for (const Mat3& moment : view.particles.boundary_moment) sum += moment;
     return sum / view.specimen.volume;
   }
 
@@ -129,7 +130,7 @@ class Stress final : public Postprocessor {
     }
     for (const WallContact& c : view.wall_contacts)
       stress[c.particle] += (c.point - p.position[c.particle]) * c.force.transpose();
-    for (std::size_t k = 0; k < p.applied_moment.size(); ++k) stress[k] += p.applied_moment[k];
+    for (std::size_t k = 0; k < p.boundary_moment.size(); ++k) stress[k] += p.boundary_moment[k];
     for (std::size_t k = 0; k < stress.size(); ++k) stress[k] = symmetric(stress[k] / volume_of(p.radius[k], view));
     return stress;
   }

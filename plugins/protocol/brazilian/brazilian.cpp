@@ -3,8 +3,8 @@
 /// Source: ISRM (1978), Int. J. Rock Mech. Min. Sci. 15, 99-103; Oñate et al. (2015), section 10.1.3.
 #include <numbers>
 
+#include "breccia/protocol_tools/axial_config.hpp"
 #include "breccia/protocol_tools/equilibrium.hpp"
-#include "breccia/protocol_tools/platens.hpp"
 
 namespace breccia {
 
@@ -47,7 +47,9 @@ class Brazilian final : public Protocol {
         .at_least(0)
         .below(1)
         .fallback(0.5)
-        .doc("the test ends once the load has fallen to this share of its peak; 0: never for this reason");
+        .doc(
+            "the test ends once the load has fallen to this share of its peak and stayed there for a tenth of a wave's "
+            "travel across the disc; 0: never for this reason");
     s.param("seating_load", &Config::seating_load_share)
         .at_least(0)
         .below(0.1)
@@ -84,7 +86,9 @@ class Brazilian final : public Protocol {
     const Vec3 middle = shape.base + (flat ? 0.0 : 0.5 * shape.height) * shape.axis,
                off = middle - middle.dot(load_) * load_;
     platens_.setup(control, c_, off + low * load_, off + high * load_);
-    modulus_ = control.bond_stiffness().modulus;
+    const BondStiffness stiffness = control.bond_stiffness();
+    modulus_ = stiffness.modulus;
+    travel_ = stiffness.wave_speed > 0 ? diameter_ / stiffness.wave_speed : 0;
     stress_ = recorder.add({"tensile_stress", "Pa", "2 P/(pi D t) with the mean load P of the platens"});
     column_[0] = recorder.add({"load", "N", "mean of the platens' normal forces"});
     column_[1] = recorder.add({"platen_displacement", "m", "by which the platens have come closer since seating"});
@@ -98,11 +102,16 @@ class Brazilian final : public Protocol {
     platens_.move(control);
   }
 
-  Progress sample(const SimulationView& view, LoadControl& control, Recorder& recorder) override {
+  Progress decide(LoadControl& control) override {
     const double below = platens_.force_below(control), above = platens_.force_above(control),
                  load = 0.5 * (below + above);
     if (!s_.seated) {
-      if (std::min(below, above) < c_.seating_load_share * modulus_ * diameter_ * thickness_ || load <= 0) {
+      if (!s_.looking) {
+        const double least = std::min(below, above);
+        if (least > 0 && least >= c_.seating_load_share * modulus_ * diameter_ * thickness_) {
+          s_.looking = true;  // loading begins in the next step, which is looked at
+          return Progress::look;
+        }
         if (platens_.approach(control) < c_.max_displacement * diameter_) return Progress::running;
         throw UserError(
             "protocol brazilian: the platens have closed by max_displacement without both carrying seating_load");
@@ -110,20 +119,27 @@ class Brazilian final : public Protocol {
       s_.seated = true;
       control.mark_start_of_loading();
     }
+    s_.load = load;
+    s_.imbalance = load > 0 ? (above - below) / load : 0.0;
     s_.displacement = platens_.approach(control);
     s_.stress = 2 * load / (std::numbers::pi * diameter_ * thickness_);
-    const double values[5] = {load, s_.displacement, s_.displacement / diameter_,
-                              load > 0 ? (above - below) / load : 0.0, unbalanced_force_ratio(view)};
-    recorder.set(stress_, s_.stress);
-    for (std::size_t k = 0; k < 5; ++k) recorder.set(column_[k], values[k]);
     if (s_.stress > s_.peak) {
       s_.peak = s_.stress;
       s_.displacement_at_peak = s_.displacement;
     }
-    std::size_t broken = 0;
-    for (const BondState b : view.bonds.state) broken += is_broken(b);
-    s_.split = c_.stop_load_ratio > 0 && broken > 0 && s_.stress < c_.stop_load_ratio * s_.peak;
+    const bool low = c_.stop_load_ratio > 0 && control.broken_bonds() > 0 && s_.stress < c_.stop_load_ratio * s_.peak;
+    s_.split = s_.drop.lasts(low, control.time(), 0.1 * travel_);
     return s_.split || s_.displacement >= c_.max_displacement * diameter_ ? Progress::finished : Progress::running;
+  }
+
+  double load() const override { return s_.stress; }
+  double load_scale() const override { return strain_of_touch * modulus_; }
+
+  void sample(const SimulationView& view, Recorder& recorder) const override {
+    const double values[5] = {s_.load, s_.displacement, s_.displacement / diameter_, s_.imbalance,
+                              unbalanced_force_ratio(view)};
+    recorder.set(stress_, s_.stress);
+    for (std::size_t k = 0; k < 5; ++k) recorder.set(column_[k], values[k]);
   }
 
   double share_done() const override {
@@ -149,12 +165,13 @@ class Brazilian final : public Protocol {
 
  private:
   struct Running {
-    double stress = 0, peak = 0, displacement = 0, displacement_at_peak = 0;
-    bool seated = false, split = false;
+    double stress = 0, peak = 0, displacement = 0, displacement_at_peak = 0, load = 0, imbalance = 0;
+    StressDrop drop;
+    bool looking = false, seated = false, split = false;
   };
   Config c_;
   Vec3 load_ = Vec3::UnitY();
-  double diameter_ = 0, thickness_ = 0, modulus_ = 0;
+  double diameter_ = 0, thickness_ = 0, modulus_ = 0, travel_ = 0;  // [m], [m], [Pa], of a wave across [s]
   Platens platens_;
   std::size_t stress_ = 0, column_[5] = {};
   Running s_;

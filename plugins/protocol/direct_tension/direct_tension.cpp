@@ -2,7 +2,8 @@
 /// Direct tension: the particles near both ends are held by plates that move apart.
 /// Source: Ouyang, Yang & Chen (2017), Appl. Sci. 7(7), 686, section 2.4 (held ends, breakable layer); the ramp, the
 /// depth of the grips and the stop are ours.
-#include "breccia/protocol_tools/axial_test.hpp"
+#include "breccia/protocol_tools/axial_config.hpp"
+#include "breccia/protocol_tools/equilibrium.hpp"
 
 namespace breccia {
 
@@ -11,8 +12,8 @@ class DirectTension final : public Protocol {
   struct Config {
     LoadingAxis axis;
     MovingPlatens moving;
-    double plate_velocity, ramp_time, breakable_layer, max_strain, stop_stress_ratio, failure_stress;
-    std::optional<double> grip, time_after_peak;
+    double plate_velocity, ramp_time, breakable_layer, max_strain, stop_stress_ratio;
+    std::optional<double> grip, time_after_peak, failure_stress;
   };
 
   static void describe(Schema<Config>& s) {
@@ -30,13 +31,7 @@ class DirectTension final : public Protocol {
             "over the measured "
             "cross-section), `platen_strain`, `platen_imbalance` (difference of the ends' loads over their mean), "
             "`unbalanced_force_ratio` (of the particles that are not held).");
-    s.param("axis", &Config::axis)
-        .choice("specimen", LoadingAxis::specimen, "the axis of the packing")
-        .choice("x", LoadingAxis::x, "for a box")
-        .choice("y", LoadingAxis::y, "for a box")
-        .choice("z", LoadingAxis::z, "for a box")
-        .fallback("specimen")
-        .doc("direction of the loading");
+    describe_loading_axis(s);
     s.param("plate_velocity", &Config::plate_velocity)
         .unit("m/s")
         .above(0)
@@ -72,31 +67,31 @@ class DirectTension final : public Protocol {
         .at_least(0)
         .below(1)
         .fallback(0.3)
-        .doc("the test ends once the stress has fallen to this share of its peak; 0: never for this reason");
+        .doc(
+            "the test ends once the stress has fallen to this share of its peak and stayed there for a tenth of a "
+            "wave's travel from end to end; 0: never for this reason");
     s.param("time_after_peak", &Config::time_after_peak)
         .unit("s")
         .above(0)
         .example("40 us")
         .doc("the test goes on at least this long after the peak")
         .source("4000 steps of 10 ns");
-    s.param("failure_stress", &Config::failure_stress)
-        .unit("Pa")
-        .at_least(0)
-        .fallback(0.1e6)
-        .doc("a stress drop counts as failure only if the peak was above this");
+    describe_failure_stress(s);
   }
 
   explicit DirectTension(const Config& config) : c_(config) {}
 
   void setup(const SimulationView& view, LoadControl& control, Recorder& recorder, Host&) override {
-    shape_ = view.specimen;
-    if (c_.axis != LoadingAxis::specimen) shape_ = turned(view, control);
+    shape_ = specimen_along(c_.axis, view, control);
+    stiffness_ = control.bond_stiffness();
+    travel_ = stiffness_.wave_speed > 0 ? shape_.height / stiffness_.wave_speed : 0;
     const ParticlesView& p = view.particles;
     double largest = 0;
     for (const double r : p.radius) largest = std::max(largest, r);
     grip_ = c_.grip.value_or(largest);
     if (2 * grip_ >= shape_.height) throw UserError("protocol direct_tension: the grips meet: make `grip` smaller");
     held_.assign(p.size(), 0);
+    arm_.assign(p.size(), 0);
     const double tolerance = 1e-9 * shape_.height;
     for (Index k = 0; k < p.size(); ++k) {
       const double at = height_of(p.position[k]);
@@ -104,6 +99,7 @@ class DirectTension final : public Protocol {
       if (low) lower_.push_back(k);
       if (high) upper_.push_back(k);
       held_[k] = low || high;
+      arm_[k] = low ? -at : high ? shape_.height - at : 0;  // pulled at the end face, not at its centre
     }
     if (lower_.empty() || upper_.empty())
       throw UserError("protocol direct_tension: no particle lies within `grip` of an end face; make it larger");
@@ -128,36 +124,42 @@ class DirectTension final : public Protocol {
     const double speed = s_.ramp.at(control.time());
     if (s_.holding && speed == s_.speed) return;
     const Vec3 up = speed * shape_.axis, down = c_.moving == MovingPlatens::both ? Vec3(-up) : Vec3::Zero();
-    for (const Index k : upper_) control.hold(k, dof::all, up, Vec3::Zero());
-    for (const Index k : lower_) control.hold(k, dof::all, down, Vec3::Zero());
+    for (const Index k : upper_) control.hold(k, dof::all, up, Vec3::Zero(), arm_[k] * shape_.axis);
+    for (const Index k : lower_) control.hold(k, dof::all, down, Vec3::Zero(), arm_[k] * shape_.axis);
     s_.speed = speed;
     s_.holding = true;
   }
 
-  Progress sample(const SimulationView& view, LoadControl& control, Recorder& recorder) override {
+  Progress decide(LoadControl& control) override {
     if (!s_.marked) control.mark_start_of_loading();
     s_.marked = true;
-    const double below = pull(view, lower_), above = -pull(view, upper_), mean = 0.5 * (below + above);
-    const double stress = mean / shape_.cross_section_area;
-    s_.strain =
-        (mean_height(view.particles, upper_) - s_.upper_start - mean_height(view.particles, lower_) + s_.lower_start) /
-        free_length_;
-    s_.stress = stress;
-    recorder.set(stress_, -stress);
-    recorder.set(strain_, -s_.strain);
-    recorder.set(imbalance_, mean > 0 ? (above - below) / mean : 0.0);
-    const double unbalanced = unbalanced_force_ratio(view, held_);
-    recorder.set(unbalanced_, unbalanced);
-    if (stress > s_.peak) {
-      s_.peak = stress;
+    const ParticlesView p = control.particles();
+    const double below = pull(p, lower_), above = -pull(p, upper_), mean = 0.5 * (below + above);
+    s_.stress = mean / shape_.cross_section_area;
+    s_.imbalance = mean > 0 ? (above - below) / mean : 0.0;
+    s_.strain = (mean_height(p, upper_) - s_.upper_start - mean_height(p, lower_) + s_.lower_start) / free_length_;
+    const double time = control.time();
+    if (s_.stress > s_.peak) {
+      s_.peak = s_.stress;
       s_.strain_at_peak = s_.strain;
-      s_.time_of_peak = view.time;
-      s_.broken_at_peak = broken(view);
+      s_.time_of_peak = time;
+      s_.broken_at_peak = control.broken_bonds();
     }
-    const bool fallen =
-        c_.stop_stress_ratio > 0 && s_.peak > c_.failure_stress && stress < c_.stop_stress_ratio * s_.peak;
-    s_.failed = fallen && view.time - s_.time_of_peak >= c_.time_after_peak.value_or(0);
+    const bool low = c_.stop_stress_ratio > 0 && s_.peak > c_.failure_stress.value_or(load_scale()) &&
+                     s_.stress < c_.stop_stress_ratio * s_.peak;
+    s_.failed = s_.drop.lasts(low, time, 0.1 * travel_) && time - s_.time_of_peak >= c_.time_after_peak.value_or(0);
     return s_.failed || s_.strain >= c_.max_strain ? Progress::finished : Progress::running;
+  }
+
+  double load() const override { return s_.stress; }
+  /// A tenth of what counts as loaded in compression, as rock and concrete carry a tenth in tension.
+  double load_scale() const override { return 0.1 * strain_of_touch * stiffness_.modulus; }
+
+  void sample(const SimulationView& view, Recorder& recorder) const override {
+    recorder.set(stress_, -s_.stress);
+    recorder.set(strain_, -s_.strain);
+    recorder.set(imbalance_, s_.imbalance);
+    recorder.set(unbalanced_, unbalanced_force_ratio(view, held_));
   }
 
   double share_done() const override { return s_.failed ? 1.0 : std::clamp(s_.strain / c_.max_strain, 0.0, 1.0); }
@@ -191,20 +193,13 @@ class DirectTension final : public Protocol {
  private:
   struct Running {
     double lower_start = 0, upper_start = 0, speed = 0, strain = 0, stress = 0, peak = 0, strain_at_peak = 0,
-           time_of_peak = 0;
+           time_of_peak = 0, imbalance = 0;
+    StressDrop drop;
     std::size_t broken_at_peak = 0;
     SmoothRamp ramp;  // of the plates' speed
     bool begun = false, holding = false, marked = false, failed = false;
   };
 
-  SpecimenShape turned(const SimulationView& view, LoadControl& control) const {
-    const Vec3 axis = Vec3::Unit(int(c_.axis) - 1);
-    if (shape_.outline == SpecimenShape::Outline::cylinder && std::abs(axis.dot(shape_.axis)) < 0.999)
-      throw UserError("protocol: a cylinder is loaded along its own axis: leave `axis` out");
-    if (view.dimension == 2 && c_.axis == LoadingAxis::z)
-      throw UserError("protocol: in two dimensions the axis is x or y");
-    return control.set_specimen_axis(axis);
-  }
   double height_of(const Vec3& x) const { return (x - shape_.base).dot(shape_.axis); }
   double mean_height(const ParticlesView& p, const std::vector<Index>& group) const {
     double sum = 0;
@@ -242,9 +237,9 @@ class DirectTension final : public Protocol {
     }
   }
   /// Of the specimen on held particles, along the axis [N].
-  double pull(const SimulationView& view, const std::vector<Index>& group) const {
+  double pull(const ParticlesView& p, const std::vector<Index>& group) const {
     double sum = 0;
-    for (const Index k : group) sum += view.particles.force[k].dot(shape_.axis);
+    for (const Index k : group) sum += p.force[k].dot(shape_.axis);
     return sum;
   }
   static std::size_t broken(const SimulationView& view) {
@@ -255,9 +250,11 @@ class DirectTension final : public Protocol {
 
   Config c_;
   SpecimenShape shape_;
-  double grip_ = 0, free_length_ = 0;
+  BondStiffness stiffness_;
+  double grip_ = 0, free_length_ = 0, travel_ = 0;  // [m], [m], of a wave from end to end [s]
   std::vector<Index> lower_, upper_;
   std::vector<std::uint8_t> held_;
+  std::vector<double> arm_;  // along the axis, from the centre to the end face [m]
   std::size_t protected_ = 0;
   std::size_t stress_ = 0, strain_ = 0, imbalance_ = 0, unbalanced_ = 0;
   Running s_;

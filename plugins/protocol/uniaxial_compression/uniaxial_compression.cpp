@@ -40,7 +40,8 @@ class UniaxialCompression final : public AxialTest {
         .source("Oñate et al. (2015), section 10.1.1: 70 psi");
     describe_pressure_area(s, &Config::pressure_area);
     s.check([](const Config& c, Issues& issues) {
-      if (c.failure_stress < c.seating_stress) issues.push_back({"failure_stress", "must not be below seating_stress"});
+      if (c.failure_stress && *c.failure_stress < c.seating_stress)
+        issues.push_back({"failure_stress", "must not be below seating_stress"});
       refuse_confining_stages(c, "there is none in an unconfined test: use triaxial_compression", issues);
     });
   }

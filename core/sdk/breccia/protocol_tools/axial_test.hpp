@@ -6,83 +6,21 @@
 #include <array>
 #include <memory>
 
+#include "breccia/protocol_tools/axial_config.hpp"
 #include "breccia/protocol_tools/confinement.hpp"
 #include "breccia/protocol_tools/equilibrium.hpp"
-#include "breccia/protocol_tools/platens.hpp"
-#include "breccia/protocol_tools/stages.hpp"
 
 namespace breccia {
-
-enum class LoadingAxis { specimen, x, y, z };
-
-/// To be inherited by a protocol's configuration.
-struct AxialConfig : PlatenConfig {
-  LoadingAxis axis;
-  std::optional<double> max_strain;
-  double stop_stress_ratio, failure_stress;
-  std::optional<std::vector<Stage>> stages;
-};
-
-/// `stop_stress_ratio` is the default of that parameter.
-template <class Config>
-void describe_axial(Schema<Config>& s, double stop_stress_ratio) {
-  describe_platens(s);
-  s.param("axis", &Config::axis)
-      .choice("specimen", LoadingAxis::specimen, "the axis of the packing")
-      .choice("x", LoadingAxis::x, "for a box")
-      .choice("y", LoadingAxis::y, "for a box")
-      .choice("z", LoadingAxis::z, "for a box")
-      .fallback("specimen")
-      .doc("direction of the loading");
-  s.param("max_strain", &Config::max_strain)
-      .above(0)
-      .below(1)
-      .example("2 %")
-      .doc(
-          "platen strain at which the test ends at the latest, also when a stage in stress is not reached by then; if "
-          "it is not given 5 %, past the largest strain among the stages");
-  s.param("stop_stress_ratio", &Config::stop_stress_ratio)
-      .at_least(0)
-      .below(1)
-      .fallback(stop_stress_ratio)
-      .doc(
-          "the test ends once the deviatoric platen stress, at a strain not reached before, has fallen to this share "
-          "of its peak; "
-          "0: never for this reason");
-  s.param("failure_stress", &Config::failure_stress)
-      .unit("Pa")
-      .at_least(0)
-      .fallback(5e6)
-      .doc("a stress drop counts as failure only if the peak was above this");
-  s.param("stages", &Config::stages)
-      .items(1, 64)
-      .example("[{axial_strain: 0.5 %}, {axial_stress: 1 MPa}, {axial_strain: 1 %}]")
-      .doc("targets, one after the other, instead of max_strain: loading, unloading, cycles");
-}
-
-/// Refuses stages that ask for a confining pressure, where there is none to lead.
-inline void refuse_confining_stages(const AxialConfig& c, const char* why, Issues& issues) {
-  if (!c.stages) return;
-  for (std::size_t k = 0; k < c.stages->size(); ++k)
-    if ((*c.stages)[k].confining_pressure)
-      issues.push_back({"stages[" + std::to_string(k) + "].confining_pressure", why});
-}
 
 /// The protocol of such a test. A derived plugin says how the specimen is confined and when loading starts.
 class AxialTest : public Protocol {
  public:
   void setup(const SimulationView& view, LoadControl& control, Recorder& recorder, Host& host) override {
     host_ = &host;
-    shape_ = view.specimen;
-    if (c_.axis != LoadingAxis::specimen) {
-      const Vec3 axis = Vec3::Unit(int(c_.axis) - 1);
-      if (shape_.outline == SpecimenShape::Outline::cylinder && std::abs(axis.dot(shape_.axis)) < 0.999)
-        throw UserError("protocol: a cylinder is loaded along its own axis: leave `axis` out");
-      if (view.dimension == 2 && c_.axis == LoadingAxis::z)
-        throw UserError("protocol: in two dimensions the axis is x or y");
-      shape_ = control.set_specimen_axis(axis);
-    }
+    shape_ = specimen_along(c_.axis, view, control);
     stiffness_ = control.bond_stiffness();
+    travel_ = stiffness_.wave_speed > 0 ? shape_.height / stiffness_.wave_speed : 0;
+    failure_stress_ = c_.failure_stress.value_or(load_scale());
     platens_.setup(control, c_, shape_.base, shape_.base + shape_.height * shape_.axis);
     s_.height = shape_.height;
     confinement_->setup(shape_, view, control, platens_.stiffness());
@@ -108,9 +46,9 @@ class AxialTest : public Protocol {
     const double t = control.time();
     if (!(s_.seated ? strain(control) < 1 : platens_.approach(control) < shape_.height))
       throw UserError(
-          "protocol: the platens have passed each other: nothing stopped the test before. Lower platen_velocity, "
-          "sample "
-          "more often (sampling.every_steps), or set max_strain");
+          "protocol: the platens have passed each other: nothing stopped the test before. Lower platen_velocity, or "
+          "set "
+          "max_strain");
     if (!s_.begun) {
       s_.begun = true;
       enter_stage(control);
@@ -124,38 +62,44 @@ class AxialTest : public Protocol {
                         shape_.height - platens_.upper_fall(control) - s_.upper_fall_before);
   }
 
-  Progress sample(const SimulationView& view, LoadControl& control, Recorder& recorder) override {
-    if (!s_.seated && !seat(view, control)) return Progress::running;
+  Progress decide(LoadControl& control) override {
+    if (!s_.seated) return seat(control);
     const double below = platens_.force_below(control), above = platens_.force_above(control),
                  mean = 0.5 * (below + above);
     s_.strain = strain(control);
     s_.stress = mean / shape_.cross_section_area;
-    const double unbalanced = unbalanced_force_ratio(view);
-    const double lateral = confinement_->achieved(view), deviator = s_.stress - lateral;
-    s_.quiet = unbalanced < 0.02;
+    s_.imbalance = mean > 0 ? (above - below) / mean : 0.0;
+    s_.lateral = confinement_->achieved(control);
+    s_.asked = confinement_->asked(control.time(), s_.lateral);
+    const bool staged = s_.stage < stages_.size();
+    if (staged && stages_[s_.stage].confining_pressure) return look_for_rest(control);
+    const double deviator = s_.stress - s_.lateral;
+    if (deviator > s_.peak) {
+      s_.peak = deviator;
+      s_.stress_at_peak = s_.stress;
+    }
+    const bool first_time = s_.strain >= s_.farthest;
+    s_.farthest = std::max(s_.farthest, s_.strain);
+    const bool low = c_.stop_stress_ratio > 0 && first_time && s_.peak > failure_stress_ &&
+                     deviator < c_.stop_stress_ratio * s_.peak;
+    s_.failed = s_.drop.lasts(low, control.time(), 0.1 * travel_);
+    s_.out_of_reach = staged && out_of_reach(mean);
+    return s_.failed || s_.out_of_reach || !staged ? Progress::finished : Progress::running;
+  }
+
+  double load() const override { return s_.stress - s_.lateral; }
+  double load_scale() const override { return strain_of_touch * stiffness_.modulus; }
+
+  void sample(const SimulationView& view, Recorder& recorder) const override {
     recorder.set(stress_, s_.stress);
     recorder.set(strain_, s_.strain);
-    recorder.set(imbalance_, mean > 0 ? (above - below) / mean : 0.0);
-    recorder.set(unbalanced_, unbalanced);
+    recorder.set(imbalance_, s_.imbalance);
+    recorder.set(unbalanced_, unbalanced_force_ratio(view));
     recorder.set(stage_, double(std::min(s_.stage, stages_.size() - 1)));
-    if (confinement_->any()) {
-      recorder.set(asked_, confinement_->asked(control.time(), lateral));
-      recorder.set(got_, lateral);
-      recorder.set(deviator_, deviator);
-    }
-    const bool confining = s_.stage < stages_.size() && stages_[s_.stage].confining_pressure;
-    if (!confining) {
-      if (deviator > s_.peak) {
-        s_.peak = deviator;
-        s_.stress_at_peak = s_.stress;
-      }
-      const bool first_time = s_.strain >= s_.farthest;
-      s_.farthest = std::max(s_.farthest, s_.strain);
-      s_.failed = c_.stop_stress_ratio > 0 && first_time && s_.peak > c_.failure_stress &&
-                  deviator < c_.stop_stress_ratio * s_.peak;
-    }
-    s_.out_of_reach = !confining && s_.stage < stages_.size() && out_of_reach(mean);
-    return s_.failed || s_.out_of_reach || s_.stage >= stages_.size() ? Progress::finished : Progress::running;
+    if (!confinement_->any()) return;
+    recorder.set(asked_, s_.asked);
+    recorder.set(got_, s_.lateral);
+    recorder.set(deviator_, s_.stress - s_.lateral);
   }
 
   double share_done() const override {
@@ -234,9 +178,12 @@ class AxialTest : public Protocol {
     double height = 0, seating_approach = 0, strain = 0, stress = 0, peak = 0, stress_at_peak = 0, farthest = -1e300;
     double reference_approach = 0, strain_at_entry = 0, entry_time = 0, ramp_time = 0;
     double lower_rise_before = 0, upper_fall_before = 0;  // before the start of loading
-    double sense = 1;                                     // +1: the stage closes the platens
-    SmoothRamp axial_stress;                              // target of the servo
-    bool begun = false, seated = false, failed = false, out_of_reach = false, quiet = false, confined_once = false;
+    double imbalance = 0, lateral = 0, asked = 0, last_look = -1e300;
+    double sense = 1;         // +1: the stage closes the platens
+    SmoothRamp axial_stress;  // target of the servo
+    StressDrop drop;
+    bool begun = false, seated = false, failed = false, out_of_reach = false, quiet = false, confined_once = false,
+         looking = false;
     std::size_t stage = 0;
     std::array<StageEnd, 64> ends;
   };
@@ -275,32 +222,44 @@ class AxialTest : public Protocol {
   double stress(const LoadControl& control) const { return platens_.force(control) / shape_.cross_section_area; }
   double deviator(const LoadControl& control) const { return stress(control) - confinement_->target(); }
 
-  bool seat(const SimulationView& view, LoadControl& control) {
-    const double below = platens_.force_below(control), above = platens_.force_above(control);
-    if (seating_stress_) {
-      const WallView &low = platens_.lower(view), &up = platens_.upper(view);
-      if (low.contacts == 0 || up.contacts == 0 ||
-          std::min(below, above) < *seating_stress_ * shape_.cross_section_area) {
-        const double limit = strain_limit();
-        if (platens_.approach(control) < limit * s_.height) return false;
-        throw UserError("protocol: the platens have closed by " + number(100 * limit) +
-                        " % without both carrying "
-                        "seating_stress; lower seating_stress, or look whether the specimen reaches from end to end");
+  /// Loading begins in the step after both platens carry the seating stress: in one that is looked at.
+  Progress seat(LoadControl& control) {
+    if (seating_stress_ && !s_.looking) {
+      const double least = std::min(platens_.force_below(control), platens_.force_above(control));
+      if (least > 0 && least >= *seating_stress_ * shape_.cross_section_area) {
+        s_.looking = true;
+        return Progress::look;
       }
-      s_.height = (up.point - low.point).dot(shape_.axis);
+      const double limit = strain_limit();
+      if (platens_.approach(control) < limit * s_.height) return Progress::running;
+      throw UserError("protocol: the platens have closed by " + number(100 * limit) +
+                      " % without both carrying "
+                      "seating_stress; lower seating_stress, or look whether the specimen reaches from end to end");
     }
+    s_.looking = false;
     s_.seated = true;
     s_.seating_approach = platens_.approach(control);
+    if (seating_stress_) s_.height = shape_.height - s_.seating_approach;
     s_.lower_rise_before = platens_.lower_rise(control);
     s_.upper_fall_before = platens_.upper_fall(control);
     control.mark_start_of_loading();
-    return true;
+    return decide(control);
+  }
+
+  /// A confining stage ends only with the specimen at rest: looked at some times while a wave travels through it.
+  Progress look_for_rest(LoadControl& control) {
+    if (s_.looking) s_.quiet = control.unbalanced_force_ratio() < 0.02;
+    s_.looking = !s_.looking && control.time() - s_.last_look >= 0.05 * travel_;
+    if (!s_.looking) return Progress::running;
+    s_.last_look = control.time();
+    return Progress::look;
   }
 
   void enter_stage(LoadControl& control) {
     const Stage& now = stages_[s_.stage];
     const double t = control.time(), speed = now.velocity.value_or(c_.platen_velocity);
     s_.entry_time = t;
+    s_.looking = s_.quiet = false;
     s_.strain_at_entry = strain(control);
     if (now.confining_pressure) {
       const double way = std::max(std::abs(*now.confining_pressure - stress(control)),
@@ -313,7 +272,7 @@ class AxialTest : public Protocol {
       confinement_->lead_to(*now.confining_pressure, t, s_.ramp_time);
       return;
     }
-    confinement_->begin_loading(t, s_.height / stiffness_.wave_speed);
+    confinement_->begin_loading(t, travel_);
     const double from = now.axial_strain ? s_.strain_at_entry : now.axial_stress ? stress(control) : deviator(control);
     const double to = now.axial_strain   ? *now.axial_strain
                       : now.axial_stress ? *now.axial_stress
@@ -367,6 +326,7 @@ class AxialTest : public Protocol {
   Host* host_ = nullptr;
   SpecimenShape shape_;
   BondStiffness stiffness_;
+  double travel_ = 0, failure_stress_ = 0;  // of a wave from end to end [s]; [Pa]
   Platens platens_;
   std::size_t stress_ = 0, strain_ = 0, imbalance_ = 0, unbalanced_ = 0, stage_ = 0, asked_ = 0, got_ = 0,
               deviator_ = 0;

@@ -20,9 +20,8 @@ class Confinement {
   virtual void apply(LoadControl&, double /*time*/, double /*low*/, double /*high*/) {}
   virtual double target() const { return 0; }  ///< where the pressure is being led [Pa]
   virtual double asked(double /*time*/, double achieved) const { return achieved; }  ///< at this moment [Pa]
-  virtual double achieved(const SimulationView&) const {
-    return 0;
-  }  ///< mean normal stress on the lateral surface [Pa]
+  /// Mean normal stress on the lateral surface, in the last step [Pa].
+  virtual double achieved(const LoadControl&) const { return 0; }
   virtual void finish(const SimulationView&, Summary&) {}
 };
 
@@ -50,7 +49,7 @@ class PressureConfinement final : public Confinement {
   }
   double target() const override { return ramp_.target(); }
   double asked(double time, double) const override { return ramp_.at(time); }
-  double achieved(const SimulationView&) const override { return surface_->achieved(); }
+  double achieved(const LoadControl&) const override { return surface_->achieved(); }
   void finish(const SimulationView&, Summary& summary) override {
     summary.own("confined_particles", surface_->particles());
     summary.own("lateral_surface_area_m2", surface_->surface_area());
@@ -97,13 +96,12 @@ class RigidConfinement final : public Confinement {
     }
   }
   void apply(LoadControl&, double, double low, double high) override { height_ = high - low; }
-  double achieved(const SimulationView& view) const override {
+  double achieved(const LoadControl& control) const override {
     double force = 0;
-    for (const std::size_t w : walls_) force += view.walls[w].normal_force;
+    for (const std::size_t w : walls_) force += control.wall_normal_force(w);
     return force / (width_ * height_);
   }
   void finish(const SimulationView& view, Summary& summary) override {
-    summary.own("cell_pressure_at_end_Pa", achieved(view));
     // How far the penalty springs let the surface out, as a strain: what "no lateral strain" came to.
     double force = 0;
     std::size_t contacts = 0;
@@ -111,6 +109,7 @@ class RigidConfinement final : public Confinement {
       force += view.walls[w].normal_force;
       contacts += view.walls[w].contacts;
     }
+    summary.own("cell_pressure_at_end_Pa", force / (width_ * height_));
     summary.own("cell_contacts", contacts);
     if (contacts > 0) summary.own("mean_overlap_with_cell_m", force / double(contacts) / used_);
   }

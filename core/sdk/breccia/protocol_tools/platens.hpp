@@ -87,8 +87,6 @@ class Platens {
   double upper_fall(const LoadControl& c) const { return -c.wall_displacement(upper_).dot(axis_); }
   /// By which they have come closer since the start of loading [m].
   double approach(const LoadControl& c) const { return lower_rise(c) + upper_fall(c); }
-  const WallView& lower(const SimulationView& view) const { return view.walls[lower_]; }
-  const WallView& upper(const SimulationView& view) const { return view.walls[upper_]; }
   double platens() const { return moving_ == MovingPlatens::both ? 2 : 1; }  ///< that move
   double stiffness() const { return stiffness_; }                            // [N/m]
   SmoothRamp& speed() { return speed_; }

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/loading.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace breccia {
+
+LoadingStep Loading::step(bool last) {
+  const std::uint64_t step = simulation_.state().step;
+  LoadingStep now;
+  now.ends = end_ || last;
+  now.row = row_ || now.ends || step % sampling_.every_steps == 0;
+  const bool was_loading = simulation_.loading_started();
+  protocol_.step(simulation_);
+  simulation_.forces(now.row || look_);
+  const Progress progress = protocol_.decide(simulation_);
+  now.begins = !was_loading && simulation_.loading_started();
+  now.row = now.row || now.begins;
+  end_ = progress == Progress::finished;
+  look_ = progress == Progress::look;
+  load_ = protocol_.load();
+  peak_ = std::max(peak_, load_);
+  if (now.row && simulation_.loading_started()) {
+    load_of_row_ = load_;
+    peak_of_rows_ = std::max(peak_of_rows_, load_);
+    step_of_row_ = step;
+  }
+  row_ = end_ || load_calls_for_row();
+  return now;
+}
+
+/// Large changes since the last row, and a maximum as soon as it is over.
+bool Loading::load_calls_for_row() const {
+  constexpr std::uint64_t apart = 10;        // steps between two rows at the least
+  constexpr double of_a_maximum = 1.0 / 10;  // how much finer it is looked at than the way there
+  if (sampling_.load_change <= 0 || !simulation_.loading_started()) return false;
+  if (simulation_.state().step - step_of_row_ < apart) return false;
+  const double change = sampling_.load_change * std::max(peak_, protocol_.load_scale());
+  const double fine = of_a_maximum * change;
+  return std::abs(load_ - load_of_row_) >= change || (peak_ - peak_of_rows_ >= 2 * fine && load_ <= peak_ - fine);
+}
+
+}  // namespace breccia
