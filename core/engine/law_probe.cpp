@@ -6,7 +6,6 @@
 #include <cstdio>
 
 #include "breccia/error.hpp"
-#include "engine/neighbours.hpp"
 
 namespace breccia {
 namespace {
@@ -17,8 +16,9 @@ std::string number(double v) {
   return text;
 }
 
-std::string about(const State& s, std::size_t pair, const std::string& name) {
-  return "contact law `" + name + "`: " + pair_name(s, pair) + ", step " + std::to_string(s.step) + ": ";
+/// `names` in backquotes.
+std::string about(const State& s, std::size_t pair, const std::string& names) {
+  return "contact law " + names + ": " + pair_name(s, pair) + ", step " + std::to_string(s.step) + ": ";
 }
 
 double distance(const State& s, std::size_t pair) {
@@ -36,8 +36,8 @@ bool all_finite(const ContactStiffness& c) {
 
 /// Copies of all that one pair has, for the law to work on.
 struct OnePair {
-  OnePair(const State& s, std::size_t k, double stretch)
-      : rest(s.pairs.rest_length[k]), state(s.pairs.state[k]), column(s.pairs.columns.size()) {
+  OnePair(const State& s, std::size_t k, double stretch, std::size_t laws)
+      : rest(s.pairs.rest_length[k]), state(s.pairs.state[k]), column(s.pairs.columns.size()), dissipated(laws) {
     const Index ends[] = {s.pairs.i[k], s.pairs.j[k]};
     for (int e = 0; e < 2; ++e) {
       position[e] = s.particles.position[ends[e]];
@@ -61,7 +61,7 @@ struct OnePair {
     batch.mass = mass;
     batch.force = &force;
     batch.moment = &moment;
-    batch.friction_work = batch.contact_work = batch.fracture_energy = &sum;
+    batch.dissipated = dissipated.data();
     batch.chunk_broke = &broke;
     batch.time_step = s.time_step;
   }
@@ -74,7 +74,8 @@ struct OnePair {
   std::vector<double> column;
   std::vector<double*> columns;
   Vec3 position[2], still[2] = {Vec3::Zero(), Vec3::Zero()}, normal, moment = Vec3::Zero();
-  double radius[2], mass[2], sum = 0;
+  std::vector<Dissipated> dissipated;
+  double radius[2], mass[2];
   PairForce force{};
   std::uint8_t broke = 0;
   PairBatch batch;
@@ -88,65 +89,86 @@ std::string pair_name(const State& s, std::size_t pair) {
   return "particles " + std::to_string(std::min(a, b)) + " and " + std::to_string(std::max(a, b));
 }
 
-LawAnswer ask_law(State& s, ContactLaw& law, std::size_t k, double stretch) {
-  OnePair one(s, k, stretch);
-  law.evaluate(one.batch);
+LawAnswer ask_law(State& s, const Interactions& laws, std::size_t k, double stretch) {
+  OnePair one(s, k, stretch, laws.size());
+  laws.evaluate(one.batch);
   const Vec3 f(one.force.fx, one.force.fy, one.force.fz);
   bool finite = f.allFinite() && one.moment.allFinite();
   for (const double c : one.column) finite &= std::isfinite(c);
-  return {f.dot(one.normal), law.energy(one.batch), finite};
+  return {f.dot(one.normal), laws.energy(one.batch), finite};
 }
 
-ContactStiffness ask_stiffness(State& s, ContactLaw& law, std::size_t k) {
-  OnePair one(s, k, 0);
+ContactStiffness ask_stiffness(State& s, const Interactions& laws, std::size_t k) {
+  OnePair one(s, k, 0, laws.size());
   ContactStiffness c;
-  law.stiffness(one.batch, &c);
+  laws.stiffness(one.batch, &c);
   return c;
 }
 
-void check_stiffness(State& s, ContactLaw& law, const std::string& name) {
+namespace {
+
+/// The first of the laws whose force, with those of the laws before it, is no number for this pair.
+std::optional<std::string> law_without_force(State& s, const Interactions& laws, std::size_t k, double stretch) {
+  std::vector<NamedLaw> first;
+  for (const NamedLaw& law : laws.laws()) {
+    first.push_back(law);
+    if (!ask_law(s, Interactions(first), k, stretch).finite) return "`" + law.name + "`";
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void check_stiffness(State& s, const Interactions& laws) {
   constexpr std::size_t most = 64;
   std::vector<std::size_t> held;
   for (std::size_t k = 0; k < s.pairs.size(); ++k)
     if (s.pairs.state[k] == BondState::intact || distance(s, k) < touching(s, k)) held.push_back(k);
   for (std::size_t n = 0; n < std::min(most, held.size()); ++n) {
     const std::size_t k = held[n * held.size() / std::min(most, held.size())];
-    const double small = 1e-6 * touching(s, k), stated = ask_stiffness(s, law, k).normal;
-    const LawAnswer pressed = ask_law(s, law, k, -small), now = ask_law(s, law, k, 0),
-                    pulled = ask_law(s, law, k, small);
-    if (!pressed.finite || !now.finite || !pulled.finite)
-      throw UserError(about(s, k, name) + "its force is not a finite number");
-    const double shown = std::max(now.normal - pressed.normal, pulled.normal - now.normal) / small;
+    const double small = 1e-6 * touching(s, k), stated = ask_stiffness(s, laws, k).normal;
+    double normal[3];
+    for (const int way : {-1, 0, 1}) {
+      if (const auto law = law_without_force(s, laws, k, way * small))
+        throw UserError(about(s, k, *law) + "its force is not a finite number");
+      normal[way + 1] = ask_law(s, laws, k, way * small).normal;
+    }
+    const double shown = std::max(normal[1] - normal[0], normal[2] - normal[1]) / small;
     if (shown > 2 * std::max(stated, 0.0))
-      throw UserError(about(s, k, name) + "it states a normal stiffness of " + number(stated) + " N/m, and its force " +
-                      "changes by " + number(shown) +
+      throw UserError(about(s, k, laws.names()) + "it states a normal stiffness of " + number(stated) +
+                      " N/m, and its force " + "changes by " + number(shown) +
                       " N per metre: a time step that follows from the first would be too long");
   }
 }
 
-std::optional<std::string> blame_force(State& s, ContactLaw& law, const std::string& name) {
+std::optional<std::string> blame_force(State& s, const Interactions& laws) {
   for (std::size_t k = 0; k < s.pairs.size(); ++k) {
     const double d = distance(s, k);
     if (!(d > 0) || !(d < 1e3 * touching(s, k))) continue;  // the motion ran away before
-    if (!ask_law(s, law, k, 0).finite) return about(s, k, name) + "its force is not a finite number";
+    if (const auto law = law_without_force(s, laws, k, 0))
+      return about(s, k, *law) + "its force is not a finite number";
   }
   return std::nullopt;
 }
 
-std::optional<std::string> blame_energy(State& s, ContactLaw& law, const std::string& name) {
+std::optional<std::string> blame_energy(State& s, const Interactions& laws) {
   for (std::size_t k = 0; k < s.pairs.size(); ++k) {
-    OnePair one(s, k, 0);
-    if (const double e = law.energy(one.batch); !std::isfinite(e))
-      return about(s, k, name) + "its stored energy is not a finite number (" + number(e) + " J)";
+    OnePair one(s, k, 0, laws.size());
+    for (std::size_t l = 0; l < laws.size(); ++l)
+      if (const double e = laws.energy(one.batch, l); !std::isfinite(e))
+        return about(s, k, "`" + laws.laws()[l].name + "`") + "its stored energy is not a finite number (" + number(e) +
+               " J)";
   }
   return std::nullopt;
 }
 
-std::optional<std::string> blame_stiffness(State& s, ContactLaw& law, const std::string& name) {
+std::optional<std::string> blame_stiffness(State& s, const Interactions& laws) {
   for (std::size_t k = 0; k < s.pairs.size(); ++k)
-    if (const ContactStiffness c = ask_stiffness(s, law, k); distance(s, k) > 0 && !all_finite(c))
-      return about(s, k, name) + "its stiffness is not a finite number (normal " + number(c.normal) + ", shear " +
-             number(c.shear) + " N/m): check moduli and radii";
+    for (const NamedLaw& law : laws.laws())
+      if (const ContactStiffness c = ask_stiffness(s, Interactions(*law.law, law.name), k);
+          distance(s, k) > 0 && !all_finite(c))
+        return about(s, k, "`" + law.name + "`") + "its stiffness is not a finite number (normal " + number(c.normal) +
+               ", shear " + number(c.shear) + " N/m): check moduli and radii";
   return std::nullopt;
 }
 

@@ -36,7 +36,7 @@ void resize(Pairs& p, std::size_t n, std::size_t columns, bool moments) {
 /// with, or particles that overlapped when they were packed.
 class Memory {
  public:
-  Memory(State& s, const Pairs& old, ContactLaw& law)
+  Memory(State& s, const Pairs& old, const Interactions& law)
       : s_(s), old_(old), law_(law), fresh_(old.columns.size()), batch_(whole_batch(s, unused_)) {
     for (double& value : fresh_) columns_.push_back(&value);
     batch_.columns = columns_.data();
@@ -62,7 +62,7 @@ class Memory {
  private:
   State& s_;
   const Pairs& old_;
-  ContactLaw& law_;
+  const Interactions& law_;
   std::vector<double> fresh_;
   std::vector<double*> columns_, unused_;
   PairBatch batch_;
@@ -78,28 +78,7 @@ struct Rows {
 
 }  // namespace
 
-PairBatch whole_batch(State& s, std::vector<double*>& column_pointers) {
-  column_pointers.clear();
-  for (auto& c : s.pairs.columns) column_pointers.push_back(c.data());
-  PairBatch b;
-  b.end = s.pairs.size();
-  b.i = s.pairs.i.data();
-  b.j = s.pairs.j.data();
-  b.rest_length = s.pairs.rest_length.data();
-  b.state = s.pairs.state.data();
-  b.columns = column_pointers.data();
-  b.position = s.particles.position.data();
-  b.velocity = s.particles.velocity.data();
-  b.angular_velocity = s.particles.angular_velocity.data();
-  b.radius = s.particles.radius.data();
-  b.mass = s.particles.mass.data();
-  b.force = s.pairs.force.data();
-  b.moment = s.pairs.moment.data();
-  b.time_step = s.time_step;
-  return b;
-}
-
-void rebuild_pairs(State& s, ContactLaw& law, double skin, Pairs& spare, int threads) {
+void rebuild_pairs(State& s, const Interactions& law, double skin, Pairs& spare, int threads) {
   const Particles& p = s.particles;
   const Index n = Index(p.size());
   std::swap(s.pairs, spare);
@@ -142,7 +121,7 @@ void rebuild_pairs(State& s, ContactLaw& law, double skin, Pairs& spare, int thr
     size += rows.i.size();
   }
   BRECCIA_ASSERT(size < (std::size_t(1) << 31));
-  resize(q, size, law.columns().size(), law.has_moments());
+  resize(q, size, law.columns(), law.has_moments());
   std::fill(s.bonds.pair.begin(), s.bonds.pair.end(), BondsView::no_pair);
   std::vector<double*> columns;
   const PairBatch all = whole_batch(s, columns);

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "breccia/contact_law.hpp"
+#include "engine/interactions.hpp"
 #include "model/state.hpp"
 
 namespace breccia {
@@ -21,10 +21,7 @@ struct Incidence {
 /// always listed; a pair whose surfaces (and, if it was bonded once, whose initial distance) are a skin apart leaves
 /// only if it would come back as it is, that is with the history that the law gives to a new pair. A bond's state and
 /// rest length are known to `Bonds` and come back with the pair.
-void rebuild_pairs(State& state, ContactLaw& law, double skin, Pairs& spare, int threads);
-
-/// The batch of all pairs of the state, for calls of the law; per-chunk sums are not set.
-PairBatch whole_batch(State& state, std::vector<double*>& column_pointers);
+void rebuild_pairs(State& state, const Interactions& law, double skin, Pairs& spare, int threads);
 
 Incidence make_incidence(const State& state, int threads);
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "breccia/contact_law.hpp"
+#include "engine/pair_batch.hpp"
 
 namespace breccia {
 

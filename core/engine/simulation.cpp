@@ -20,8 +20,9 @@ constexpr double counted_reach = 0.3;
 
 }  // namespace
 
-Simulation::Simulation(State state, ContactLaw& law, const EngineSettings& settings)
-    : state_(std::move(state)), law_(law), settings_(settings) {
+Simulation::Simulation(State state, Interactions laws, const EngineSettings& settings)
+    : state_(std::move(state)), laws_(std::move(laws)), settings_(settings) {
+  state_.dissipated.resize(laws_.size());
   const auto& r = state_.particles.radius;
   const double mean_radius = std::accumulate(r.begin(), r.end(), 0.0) / double(r.size());
   skin_ = settings_.skin * mean_radius;
@@ -30,8 +31,8 @@ Simulation::Simulation(State state, ContactLaw& law, const EngineSettings& setti
   external_torque_.assign(r.size(), Vec3::Zero());
 }
 
-BondingResult Simulation::bond(const BondingRule& rule) {
-  const BondingResult result = make_bonds(state_, rule);
+BondingResult Simulation::bond(const BondingRule& rule, const std::optional<SpecimenToTell>& told) {
+  const BondingResult result = laws_.makes_bonds() ? make_bonds(state_, rule) : BondingResult{};
   Assembly a;
   a.dimension = state_.dimension;
   a.thickness = state_.thickness;
@@ -39,9 +40,9 @@ BondingResult Simulation::bond(const BondingRule& rule) {
   a.mass = state_.particles.mass;
   a.bond_i = state_.bonds.i;
   a.bond_j = state_.bonds.j;
-  a.porosity = porosity();
-  a.coordination_number = result.coordination_number;
-  law_.prepare(a);
+  a.porosity = told ? told->porosity : porosity();
+  a.coordination_number = told ? told->coordination_number : result.coordination_number;
+  laws_.prepare(a);
   return result;
 }
 
@@ -52,14 +53,14 @@ double Simulation::porosity() const {
 void Simulation::prepare() {
   critical_ = std::numeric_limits<double>::infinity();
   rebuild();
-  check_stiffness(state_, law_, settings_.law);
+  check_stiffness(state_, laws_);
   if (!std::isfinite(critical_) && reach_ < skin_) {  // nothing touches yet: what may do so some day sets the step
     reach_ = skin_;
     state_.positions_at_look.clear();
     look();
   }
   if (!std::isfinite(critical_) && state_.bonds.size() > 0)
-    throw UserError("contact law `" + settings_.law + "` states no stiffness for any of the " +
+    throw UserError("contact law " + laws_.names() + " states no stiffness for any of the " +
                     std::to_string(state_.bonds.size()) + " bonds: there is none to set a time step");
   if (!std::isfinite(critical_))
     throw UserError(
@@ -69,7 +70,7 @@ void Simulation::prepare() {
 
 void Simulation::check_critical_step() {
   if (critical_ > 0) return;
-  if (const auto blame = blame_stiffness(state_, law_, settings_.law)) throw UserError(*blame);
+  if (const auto blame = blame_stiffness(state_, laws_)) throw UserError(*blame);
   throw UserError(
       "the stiffness of the contacts over the mass of the particles is too large a number: check moduli, density and "
       "radii");
@@ -77,14 +78,12 @@ void Simulation::check_critical_step() {
 
 void Simulation::rebuild() {
   fold_chunk_sums();
-  rebuild_pairs(state_, law_, skin_, spare_pairs_, settings_.threads);
+  rebuild_pairs(state_, laws_, skin_, spare_pairs_, settings_.threads);
   rebuild_wall_touches(state_, skin_);
   incidence_ = make_incidence(state_, settings_.threads);
   partition_ = make_partition(state_, incidence_, settings_.threads);
   const std::size_t chunks = (state_.pairs.size() + PairBatch::chunk - 1) / PairBatch::chunk;
-  chunk_friction_.assign(chunks, 0);
-  chunk_contact_.assign(chunks, 0);
-  chunk_fracture_.assign(chunks, 0);
+  chunk_dissipated_.assign(chunks * laws_.size(), {});
   chunk_broke_.assign(chunks, 0);
   if (const auto& guarded = state_.bonds.guarded; !guarded.empty()) {
     guarded_pairs_.assign(state_.pairs.size(), 0);
@@ -103,7 +102,7 @@ void Simulation::look() {
   // Only new neighbours and walls can ask for a shorter step, and it only shrinks: a longer one half-way is not worth
   // the jump.
   const std::vector<Index> changed = newly_within_reach(state_, reach_);
-  critical_ = std::min(critical_, critical_time_step(state_, law_, incidence_, changed, reach_, settings_.threads));
+  critical_ = std::min(critical_, critical_time_step(state_, laws_, incidence_, changed, reach_, settings_.threads));
   check_critical_step();
   state_.time_step = settings_.safety * critical_;
   state_.positions_at_look = state_.particles.position;
@@ -130,9 +129,7 @@ void Simulation::forces(bool to_be_viewed) {
   forces_known_ = true;
   follow_neighbours();
   PairBatch all = whole_batch(s, columns_);
-  all.friction_work = chunk_friction_.data();
-  all.contact_work = chunk_contact_.data();
-  all.fracture_energy = chunk_fracture_.data();
+  all.dissipated = chunk_dissipated_.data();
   all.chunk_broke = chunk_broke_.data();
   if (!guarded_pairs_.empty()) all.guarded = guarded_pairs_.data();
   all.sum_force = s.particles.force.data();
@@ -150,7 +147,7 @@ void Simulation::forces(bool to_be_viewed) {
       mine.begin = share.first_pair;
       mine.end = share.end_pair;
       clear_forces(s, share);
-      if (mine.begin < mine.end) law_.evaluate(mine);
+      if (mine.begin < mine.end) laws_.evaluate(mine);
     }
 #pragma omp single  // the first to be through; at its end the others are, too
     wall_forces(s, external_force_, external_torque_);
@@ -197,7 +194,7 @@ void Simulation::advance() {
   s.moved_since_look += sums.largest_speed * s.time_step;
   if (!std::isfinite(s.moved_bound)) {
     undo_positions(s);
-    if (const auto blame = blame_force(s, law_, settings_.law)) throw UserError(*blame);
+    if (const auto blame = blame_force(s, laws_)) throw UserError(*blame);
     throw UserError("the motion ran away (a velocity is no longer a finite number) at step " + std::to_string(s.step) +
                     "; lower engine.time_step_safety or check stiffness and density");
   }
@@ -206,11 +203,16 @@ void Simulation::advance() {
 }
 
 void Simulation::fold_chunk_sums() {
-  for (std::size_t c = 0; c < chunk_broke_.size(); ++c) {
-    state_.energy.friction += chunk_friction_[c];
-    state_.energy.contact += chunk_contact_[c];
-    state_.energy.fracture += chunk_fracture_[c];
-    chunk_friction_[c] = chunk_contact_[c] = chunk_fracture_[c] = 0;
+  for (std::size_t k = 0; k < chunk_dissipated_.size(); ++k) {
+    Dissipated& chunk = chunk_dissipated_[k];
+    Dissipated& of_law = state_.dissipated[k % laws_.size()];
+    state_.energy.friction += chunk.friction;
+    state_.energy.contact += chunk.contact;
+    state_.energy.fracture += chunk.fracture;
+    of_law.friction += chunk.friction;
+    of_law.contact += chunk.contact;
+    of_law.fracture += chunk.fracture;
+    chunk = {};
   }
 }
 
@@ -224,11 +226,11 @@ double Simulation::elastic_energy() {
     PairBatch mine = all;
     mine.begin = b * block;
     mine.end = std::min(all.end, (b + 1) * block);
-    sums[b] = law_.energy(mine);
+    sums[b] = laws_.energy(mine);
   }
   const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
   if (!std::isfinite(sum))
-    if (const auto blame = blame_energy(state_, law_, settings_.law)) throw UserError(*blame);
+    if (const auto blame = blame_energy(state_, laws_)) throw UserError(*blame);
   return sum + wall_energy(state_);
 }
 
@@ -268,7 +270,7 @@ BondStiffness Simulation::bond_stiffness() {
   batch.rest_length = b.initial_distance.data();
   batch.state = bond_state.data();
   std::vector<ContactStiffness> stiffness(b.size());
-  law_.stiffness(batch, stiffness.data());
+  laws_.stiffness(batch, stiffness.data());
   BondStiffness result;
   std::size_t intact = 0;
   for (std::size_t k = 0; k < b.size(); ++k) {
@@ -295,6 +297,7 @@ SpecimenShape Simulation::set_specimen_axis(const Vec3& axis) {
 void Simulation::mark_start_of_loading() {
   fold_chunk_sums();
   state_.energy = {};
+  state_.dissipated.assign(laws_.size(), {});
   state_.energy.boundary_work = wall_work_ahead(state_) - led_work_behind(state_);
   state_.energy.initial = elastic_energy() + kinetic_energy(state_);
   state_.particles.reference_position = state_.particles.position;
@@ -306,7 +309,7 @@ void Simulation::mark_start_of_loading() {
 }
 
 void Simulation::protect_bond(Index bond) {
-  if (!law_.respects_protection())
+  if (!laws_.respects_protection())
     throw UserError(
         "this test protects some bonds from breaking, and the contact law does not support that: protect no bonds, or "
         "use a law that has `respects_protection`");

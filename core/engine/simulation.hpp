@@ -2,7 +2,7 @@
 /// The step loop: owns the state and everything that is derived from it.
 #pragma once
 
-#include <memory>
+#include <optional>
 
 #include "breccia/protocol.hpp"
 #include "engine/bonding.hpp"
@@ -17,16 +17,20 @@ struct EngineSettings {
   double safety = 0.8;  ///< share of the critical time step
   double skin = 0.3;    ///< of the neighbour list, in mean radii
   int threads = 1;
-  std::string law = "contact_law";  ///< its name, for messages
+};
+
+/// What the laws are told of the specimen instead of what the engine measures: of a pair that is driven by itself.
+struct SpecimenToTell {
+  double porosity = 0, coordination_number = 0;
 };
 
 class Simulation final : public LoadControl {
  public:
-  /// Takes assembled particles; the law outlives the simulation.
-  Simulation(State state, ContactLaw& law, const EngineSettings& settings);
+  /// Takes assembled particles; the laws outlive the simulation.
+  Simulation(State state, Interactions laws, const EngineSettings& settings);
 
-  /// Makes the bonds and lets the law derive its constants.
-  BondingResult bond(const BondingRule& rule);
+  /// Makes the bonds, if a law makes any, and lets the laws derive their constants.
+  BondingResult bond(const BondingRule& rule, const std::optional<SpecimenToTell>& told = {});
   /// After bonds, walls and held particles are there: pair list and time step. UserError when nothing is stiff.
   void prepare();
 
@@ -73,14 +77,14 @@ class Simulation final : public LoadControl {
   double elastic_energy();
 
   State state_;
-  ContactLaw& law_;
+  Interactions laws_;
   EngineSettings settings_;
   double skin_ = 0, reach_ = 0, critical_ = 0;
   Pairs spare_pairs_;  ///< of the last rebuild: its memory is used again
   Incidence incidence_;
   Partition partition_;
   std::vector<double*> columns_;
-  std::vector<double> chunk_friction_, chunk_contact_, chunk_fracture_;
+  std::vector<Dissipated> chunk_dissipated_;  ///< of each chunk, law by law
   std::vector<std::uint8_t> chunk_broke_;
   std::vector<std::uint8_t> guarded_pairs_;  ///< of `bonds.guarded`, for the present pair list
   std::vector<Vec3> external_force_, external_torque_;

@@ -75,7 +75,7 @@ bool within_reach(const State& s, const WallTouch& t, double reach) {
 
 class Restraints {
  public:
-  Restraints(State& s, ContactLaw& law, const Incidence& incidence, double reach)
+  Restraints(State& s, const Interactions& law, const Incidence& incidence, double reach)
       : s_(s),
         law_(law),
         in_(incidence),
@@ -129,7 +129,7 @@ class Restraints {
 
  private:
   State& s_;
-  ContactLaw& law_;
+  const Interactions& law_;
   const Incidence& in_;
   double reach_;
   std::vector<double*> columns_;
@@ -139,8 +139,8 @@ class Restraints {
 
 }  // namespace
 
-double critical_time_step(State& s, ContactLaw& law, const Incidence& incidence, const std::vector<Index>& particles,
-                          double reach, int threads) {
+double critical_time_step(State& s, const Interactions& law, const Incidence& incidence,
+                          const std::vector<Index>& particles, double reach, int threads) {
   if (particles.empty()) return infinity;
   const Restraints restraints(s, law, incidence, reach);
   double least = infinity;

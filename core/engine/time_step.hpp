@@ -2,7 +2,6 @@
 /// The largest stable time step.
 #pragma once
 
-#include "breccia/contact_law.hpp"
 #include "engine/neighbours.hpp"
 #include "model/state.hpp"
 
@@ -20,7 +19,7 @@ namespace breccia {
 ///
 /// Looks at the given particles only; 0 when a stiffness is no finite number, infinite when none of them is held by
 /// anything stiff.
-double critical_time_step(State& state, ContactLaw& law, const Incidence& incidence,
+double critical_time_step(State& state, const Interactions& law, const Incidence& incidence,
                           const std::vector<Index>& particles, double reach, int threads);
 
 /// The particles that have come within `reach` [m] of a neighbour or a wall since `positions_at_look`, ascending: they

@@ -66,6 +66,13 @@ struct WallTouch {
   double overlap = 0;          ///< positive when pressed [m]
 };
 
+/// What contacts have dissipated [J].
+struct Dissipated {
+  double friction = 0;  ///< by sliding
+  double contact = 0;   ///< otherwise (viscous, plastic, damage)
+  double fracture = 0;  ///< stored energy of bonds that broke
+};
+
 /// Sums of the ledger that cannot be computed from the present state.
 struct EnergySums {
   double boundary_work = 0, friction = 0, damping = 0, contact = 0, fracture = 0;  // [J]
@@ -87,6 +94,7 @@ struct State {
   std::vector<Vec3> positions_at_look;      ///< when the pairs that set the time step were last looked at
   double moved_since_look = 0, walls_moved_since_look = 0;  // [m]
   EnergySums energy;
+  std::vector<Dissipated> dissipated;  ///< since the start of loading, one per contact law; walls are not in it
   SpecimenShape specimen;
 };
 

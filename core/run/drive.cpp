@@ -17,29 +17,6 @@
 namespace breccia {
 namespace {
 
-/// The law, told of a specimen that is not there.
-class InSpecimen final : public ContactLaw {
- public:
-  InSpecimen(ContactLaw& law, double porosity, double coordination_number)
-      : law_(law), porosity_(porosity), coordination_number_(coordination_number) {}
-  std::vector<ColumnDoc> columns() const override { return law_.columns(); }
-  bool has_moments() const override { return law_.has_moments(); }
-  void prepare(const Assembly& pair) override {
-    Assembly a = pair;
-    a.porosity = porosity_;
-    a.coordination_number = coordination_number_;
-    law_.prepare(a);
-  }
-  void initialise(const PairBatch& batch) override { law_.initialise(batch); }
-  void evaluate(const PairBatch& batch) override { law_.evaluate(batch); }
-  void stiffness(const PairBatch& batch, ContactStiffness* out) override { law_.stiffness(batch, out); }
-  double energy(const PairBatch& batch) override { return law_.energy(batch); }
-
- private:
-  ContactLaw& law_;
-  double porosity_, coordination_number_;
-};
-
 /// What the pair exerts; as forces on the first particle, so that tension and a positive shear are positive.
 struct Loads {
   double normal = 0, shear = 0, bending = 0, torsion = 0;  // [N], [N m]
@@ -55,7 +32,6 @@ class Drive {
         folder_(folder),
         host_(host),
         law_(registry.create<ContactLaw>(s.law)),
-        told_(*law_, s.porosity, s.coordination_number),
         start_(s.radius_i + s.radius_j + s.gap) {}
 
   std::vector<std::filesystem::path> operator()() {
@@ -114,13 +90,13 @@ class Drive {
     double farthest = std::abs(s_.gap);
     for (const WayPoint& p : path_.points) farthest = std::max(farthest, std::abs(s_.gap) + std::abs(p.normal));
     EngineSettings settings;
-    settings.law = s_.law.type;
     settings.safety = steps_per_critical;
     settings.skin = 1 + 8 * farthest / (s_.radius_i + s_.radius_j);  // they stay neighbours wherever the path leads
-    auto simulation =
-        std::make_unique<Simulation>(assemble(two, {s_.density}, s_.dimension, s_.thickness), told_, settings);
+    auto simulation = std::make_unique<Simulation>(assemble(two, {s_.density}, s_.dimension, s_.thickness),
+                                                   Interactions(*law_, s_.law.type), settings);
     const double rounding = 1e-9 * (s_.radius_i + s_.radius_j);
-    simulation->bond({GapMeasure::absolute, s_.bonded ? s_.gap + rounding : s_.gap - rounding, std::nullopt});
+    simulation->bond({GapMeasure::absolute, s_.bonded ? s_.gap + rounding : s_.gap - rounding, std::nullopt},
+                     SpecimenToTell{s_.porosity, s_.coordination_number});
     simulation->prepare();
     for (const Index k : {0, 1}) simulation->hold(k, dof::all, Vec3::Zero(), Vec3::Zero());
     return simulation;
@@ -312,7 +288,6 @@ class Drive {
   const std::filesystem::path& folder_;
   WarningLog<Host> host_;
   std::unique_ptr<ContactLaw> law_;
-  InSpecimen told_;
   double start_;  ///< distance of the centres [m]
   std::unique_ptr<Simulation> simulation_;
   CurveTable curves_;

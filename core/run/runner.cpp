@@ -78,9 +78,9 @@ class Run {
     settings.safety = w_.engine.time_step_safety;
     settings.skin = w_.engine.skin;
     settings.threads = monitor_.threads();
-    settings.law = w_.contact_law.type;
-    simulation_ = std::make_unique<Simulation>(
-        assemble(packing_.particles, {w_.material.density}, dimension, w_.thickness), *law_, settings);
+    simulation_ =
+        std::make_unique<Simulation>(assemble(packing_.particles, {w_.material.density}, dimension, w_.thickness),
+                                     Interactions(*law_, w_.contact_law.type), settings);
     bonding_ = simulation_->bond(w_.bonding.rule());
     const bool relative = bonding_.measure == GapMeasure::relative;
     monitor_.info(fmt::format(

@@ -6,7 +6,7 @@
 #include <memory>
 #include <random>
 
-#include "breccia/contact_law.hpp"
+#include "engine/interactions.hpp"
 
 namespace breccia::testing {
 
@@ -45,7 +45,7 @@ struct LoosePairs {
     law->prepare(a);
     for (auto& c : history) columns.push_back(c.data());
     const std::size_t chunks = (n + PairBatch::chunk - 1) / PairBatch::chunk;
-    for (auto* sum : {&friction, &contact, &fracture}) sum->assign(chunks, 0);
+    dissipated.assign(chunks, {});
     broke.assign(chunks, 0);
     batch.end = n;
     batch.i = first.data();
@@ -60,12 +60,10 @@ struct LoosePairs {
     batch.mass = mass.data();
     batch.force = force.data();
     batch.moment = moment.data();
-    batch.friction_work = friction.data();
-    batch.contact_work = contact.data();
-    batch.fracture_energy = fracture.data();
+    batch.dissipated = dissipated.data();
     batch.chunk_broke = broke.data();
     batch.time_step = dt;
-    law->initialise(batch);
+    Interactions(*law).initialise(batch);
   }
   LoosePairs(const LoosePairs&) = delete;
   LoosePairs& operator=(const LoosePairs&) = delete;
@@ -80,7 +78,7 @@ struct LoosePairs {
       spin[a] = size * (frame * (in_plane ? Vec3(0, 0, w.z()) : w));
       position[a] += dt * velocity[a];
     }
-    law->evaluate(batch);
+    Interactions(*law).evaluate(batch);
   }
 
   std::size_t count(BondState which) const { return std::size_t(std::count(state.begin(), state.end(), which)); }
@@ -96,7 +94,7 @@ struct LoosePairs {
   std::vector<BondState> state;
   std::vector<std::vector<double>> history;
   std::vector<double*> columns;
-  std::vector<double> friction, contact, fracture;
+  std::vector<Dissipated> dissipated;
   std::vector<std::uint8_t> broke;
 };
 

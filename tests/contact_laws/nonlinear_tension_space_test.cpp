@@ -43,8 +43,7 @@ TEST(NonlinearTensionInSpace, SpheresMovedInAPlaneAreDiscsToTheLastBit) {
   EXPECT_TRUE(same_bits(discs.force, spheres.force));
   EXPECT_TRUE(same_bits(discs.moment, spheres.moment));
   EXPECT_TRUE(same_bits(discs.state, spheres.state));
-  EXPECT_TRUE(same_bits(discs.fracture, spheres.fracture));
-  EXPECT_TRUE(same_bits(discs.friction, spheres.friction));
+  EXPECT_TRUE(same_bits(discs.dissipated, spheres.dissipated));
   for (std::size_t c = 0; c < discs.history.size(); ++c)
     EXPECT_TRUE(same_bits(discs.history[c], spheres.history[c])) << c;
   for (const double torsion : spheres.history.back()) ASSERT_EQ(torsion, 0);

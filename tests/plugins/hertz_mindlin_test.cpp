@@ -71,8 +71,8 @@ TEST_F(HertzMindlin, ShearIsLimitedByFrictionAndItsWorkIsAccountedFor) {
     before = force.fy;
   }
   EXPECT_NEAR(force.fy, friction * -force.fx, 1e-12 * force.fy);
-  EXPECT_GT(friction_work, 0);
-  EXPECT_NEAR(energy() - normal_energy + friction_work, work, 1e-3 * work);
+  EXPECT_GT(dissipated.friction, 0);
+  EXPECT_NEAR(energy() - normal_energy + dissipated.friction, work, 1e-3 * work);
 }
 
 TEST_F(HertzMindlin, NoEnergyComesFromLoadingAndUnloadingAShearedContact) {

@@ -5,7 +5,7 @@
 #include <array>
 #include <memory>
 
-#include "breccia/contact_law.hpp"
+#include "engine/interactions.hpp"
 
 namespace breccia::test {
 
@@ -27,9 +27,7 @@ struct PairRig {
     batch.radius = radius;
     batch.mass = mass;
     batch.force = &force;
-    batch.friction_work = &friction_work;
-    batch.contact_work = &contact_work;
-    batch.fracture_energy = &fracture;
+    batch.dissipated = &dissipated;
     batch.chunk_broke = &broke;
     batch.time_step = dt;
     law->prepare({});
@@ -41,14 +39,15 @@ struct PairRig {
   void step(double overlap, double slip) {
     position[1] = Vec3(r1 + r2 - overlap, 0, 0);
     velocity[1] = Vec3(0, slip / dt, 0);
-    law->evaluate(batch);
+    Interactions(*law).evaluate(batch);
   }
-  double energy() const { return law->energy(batch); }
+  double energy() const { return Interactions(*law).energy(batch); }
 
   std::unique_ptr<ContactLaw> law;
   PairBatch batch;
   Index first = 0, second = 1;
-  double rest = r1 + r2, history[4] = {}, friction_work = 0, contact_work = 0, fracture = 0;
+  double rest = r1 + r2, history[4] = {};
+  Dissipated dissipated;
   double radius[2] = {r1, r2}, mass[2] = {1e-4, 2e-4};
   std::array<double*, 4> columns;
   BondState state = BondState::unbonded;

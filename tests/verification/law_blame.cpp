@@ -20,34 +20,33 @@ class Wrong final : public ContactLaw {
   std::vector<ColumnDoc> columns() const override { return {}; }
   bool has_moments() const override { return false; }
   void prepare(const Assembly&) override {}
-  void initialise(const PairBatch&) override {}
-  void evaluate(const PairBatch& b) override {
-    for (std::size_t k = b.begin; k < b.end; ++k) {
-      const Vec3 branch = b.position[b.j[k]] - b.position[b.i[k]];
-      const double stretch = branch.norm() - b.rest_length[k];
+  void initialise(const PairChunk&, double* const*) override {}
+  void evaluate(const PairChunk& c, double* const*, PairAnswer& out, bool) override {
+    out = {};
+    for (std::size_t k = 0; k < c.size; ++k) {
+      const Vec3 branch(c.dx[k], c.dy[k], c.dz[k]);
+      const double stretch = branch.norm() - c.rest[k];
       const Vec3 f = (stretch > bad_force_at ? nan : 1e7 * stretch) * branch.normalized();
-      b.force[k] = {f.x(), f.y(), f.z(), 0, 0, 0, 0, 0};
-      if (b.sum_force && !b.apart[b.i[k]]) b.sum_force[b.i[k]] += f;
-      if (b.sum_force && !b.apart[b.j[k]]) b.sum_force[b.j[k]] -= f;
+      out.fx[k] = f.x();
+      out.fy[k] = f.y();
+      out.fz[k] = f.z();
     }
   }
-  void stiffness(const PairBatch& b, ContactStiffness* out) override {
-    for (std::size_t k = b.begin; k < b.end; ++k) out[k - b.begin] = {stated, 0, 0, 0};
+  void stiffness(const PairChunk& c, ContactStiffness* out) override {
+    for (std::size_t k = 0; k < c.size; ++k) out[k] = {stated, 0, 0, 0};
   }
-  double energy(const PairBatch& b) override {
-    double sum = 0;
-    for (std::size_t k = b.begin; k < b.end; ++k) {
-      const double stretch = (b.position[b.j[k]] - b.position[b.i[k]]).norm() - b.rest_length[k];
-      sum += stored * 0.5e7 * stretch * stretch;
+  void energy(const PairChunk& c, double* const*, double* out) override {
+    for (std::size_t k = 0; k < c.size; ++k) {
+      const double stretch = Vec3(c.dx[k], c.dy[k], c.dz[k]).norm() - c.rest[k];
+      out[k] = stored * 0.5e7 * stretch * stretch;
     }
-    return sum;
   }
 };
 
 std::unique_ptr<Simulation> chain(ContactLaw& law) {
   EngineSettings settings;
-  settings.law = "wrong";
-  auto s = std::make_unique<Simulation>(assemble(simple_cubic(4, 1, 1, 1e-3), {2650}, 3, 1.0), law, settings);
+  auto s = std::make_unique<Simulation>(assemble(simple_cubic(4, 1, 1, 1e-3), {2650}, 3, 1.0),
+                                        Interactions(law, "wrong"), settings);
   s->bond({GapMeasure::relative, 1e-9, std::nullopt});
   return s;
 }
@@ -124,8 +123,8 @@ TEST(LawBlame, ModuliDensityAndRadiiThatOverflow) {
   const auto prepare = [](double modulus, double density, double radius) {
     auto law = make_law(elastic_brittle({{"bond_modulus", modulus}}));
     EngineSettings settings;
-    settings.law = "elastic_brittle";
-    Simulation s(assemble(simple_cubic(3, 1, 1, radius), {density}, 3, 1.0), *law, settings);
+    Simulation s(assemble(simple_cubic(3, 1, 1, radius), {density}, 3, 1.0), Interactions(*law, "elastic_brittle"),
+                 settings);
     s.bond({GapMeasure::relative, 1e-9, std::nullopt});
     s.prepare();
   };

@@ -37,6 +37,7 @@ struct Contact {
   double intact;                  ///< 1 while the bond holds, else 0
   double
       breakable;  ///< 1 while the bond holds and may fail; 0 also if the protocol protects it (`respects_protection`)
+  double normal_force;  ///< of the laws that stand before this one in the list, tension positive; 0 for the first [N]
   double reduced_mass;  ///< m_i m_j/(m_i + m_j) [kg]
   double time_step;     // [s]
 };
@@ -57,6 +58,11 @@ struct ContactForce {
 struct ContactStiffness {
   double normal = 0, shear = 0, bending = 0, torsion = 0;
   double damping = 0;
+
+  friend ContactStiffness operator+(const ContactStiffness& a, const ContactStiffness& b) {
+    return {a.normal + b.normal, a.shear + b.shear, a.bending + b.bending, a.torsion + b.torsion,
+            a.damping + b.damping};
+  }
 };
 
 template <class State>
@@ -73,29 +79,6 @@ struct Assembly {
   std::span<const double> radius, mass;  // [m], [kg]
   std::span<const Index> bond_i, bond_j;
   double porosity = 0, coordination_number = 0;
-};
-
-/// Pairs [begin, end) of the engine's arrays. `begin` is a multiple of `chunk`.
-struct PairBatch {
-  static constexpr std::size_t chunk = 64;  ///< pairs gathered at a time, and the grain of deterministic sums
-  std::size_t begin = 0, end = 0;
-  const Index *i = nullptr, *j = nullptr;
-  const double* rest_length = nullptr;
-  BondState* state = nullptr;
-  const std::uint8_t* guarded = nullptr;  ///< 1 for pairs whose bond must not break; null when there are none
-  double* const* columns = nullptr;       ///< the law's history, one array each
-  const Vec3 *position = nullptr, *velocity = nullptr, *angular_velocity = nullptr;
-  const double *radius = nullptr, *mass = nullptr;
-  PairForce* force = nullptr;
-  Vec3* moment = nullptr;
-  bool keep_force = true;  ///< write `force` and `moment` of all chunks, not only of those set apart
-  /// Sums per particle, added to in the order of the pairs; none if null. Particles in `apart` are left out: they have
-  /// pairs in other batches. `chunk_apart` marks the chunks with pairs of such particles.
-  Vec3 *sum_force = nullptr, *sum_torque = nullptr;
-  const std::uint8_t *apart = nullptr, *chunk_apart = nullptr;
-  double *friction_work = nullptr, *contact_work = nullptr, *fracture_energy = nullptr;  ///< one per chunk, added to
-  std::uint8_t* chunk_broke = nullptr;  ///< one per chunk, set when a bond in it broke
-  double time_step = 0;
 };
 
 }  // namespace breccia

@@ -26,8 +26,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "breccia/chunk_loop.hpp"
 #include "breccia/contact.hpp"
-#include "breccia/pair_loop.hpp"
 #include "breccia/plugin.hpp"
 #include "breccia/views.hpp"
 
@@ -41,12 +41,16 @@ class BRECCIA_API ContactLaw : public Plugin {
   };
   virtual std::vector<ColumnDoc> columns() const = 0;
   virtual bool has_moments() const = 0;
+  virtual bool makes_bonds() const { return true; }  ///< of a list of laws only one may
+  virtual bool needs_mass() const { return true; }
   virtual bool respects_protection() const { return false; }  ///< never damages a bond that a protocol protects
   virtual void prepare(const Assembly& assembly) = 0;         ///< once, before anything else
-  virtual void initialise(const PairBatch& batch) = 0;        ///< history of new pairs
-  virtual void evaluate(const PairBatch& batch) = 0;
-  virtual void stiffness(const PairBatch& batch, ContactStiffness* out) = 0;  ///< out[k - begin]
-  virtual double energy(const PairBatch& batch) = 0;       ///< stored in the batch, summed in order [J]
+  /// `history` in all of these: one array per column, that of the chunk's pairs.
+  virtual void initialise(const PairChunk& chunk, double* const* history) = 0;  ///< history of new pairs
+  /// `adds`: to what the laws before in the list have answered; else writes.
+  virtual void evaluate(const PairChunk& chunk, double* const* history, PairAnswer& answer, bool adds) = 0;
+  virtual void stiffness(const PairChunk& chunk, ContactStiffness* of_pair) = 0;
+  virtual void energy(const PairChunk& chunk, double* const* history, double* of_pair) = 0;  ///< stored [J]
   virtual Json derived() const { return Json::object(); }  ///< constants it derived, for the summary
 };
 
@@ -67,30 +71,29 @@ class ContactLawOf final : public ContactLaw {
     return docs;
   }
   bool has_moments() const override { return detail::law_has_moments<Law>(); }
+  bool makes_bonds() const override { return detail::law_makes_bonds<Law>(); }
+  bool needs_mass() const override { return detail::law_needs_mass<Law>(); }
   bool respects_protection() const override { return detail::law_respects_protection<Law>(); }
   void prepare(const Assembly& assembly) override { law_.emplace(config_, assembly); }
-  void initialise(const PairBatch& b) override {
-    detail::for_each_contact<Law>(b, [&](const Contact& c, std::size_t k) {
+  void initialise(const PairChunk& chunk, double* const* history) override {
+    detail::for_each_contact(chunk, [&](const Contact& c, std::size_t k) {
       typename Law::State s = law_->initial(c);
-      detail::store_state<Law>(s, b.columns, k, all);
+      detail::store_state<Law>(s, history, k, all);
     });
   }
-  void evaluate(const PairBatch& b) override {
-    if constexpr (detail::law_respects_protection<Law>())
-      if (b.guarded) return detail::evaluate_pairs<Law, true>(*law_, b);
-    detail::evaluate_pairs<Law, false>(*law_, b);
+  void evaluate(const PairChunk& chunk, double* const* history, PairAnswer& answer, bool adds) override {
+    adds ? detail::evaluate_chunk<Law, true>(*law_, chunk, history, answer)
+         : detail::evaluate_chunk<Law, false>(*law_, chunk, history, answer);
   }
-  void stiffness(const PairBatch& b, ContactStiffness* out) override {
-    detail::for_each_contact<Law>(b, [&](const Contact& c, std::size_t k) { out[k - b.begin] = law_->stiffness(c); });
+  void stiffness(const PairChunk& chunk, ContactStiffness* of_pair) override {
+    detail::for_each_contact(chunk, [&](const Contact& c, std::size_t k) { of_pair[k] = law_->stiffness(c); });
   }
-  double energy(const PairBatch& b) override {
-    double sum = 0;
-    detail::for_each_contact<Law>(b, [&](const Contact& c, std::size_t k) {
+  void energy(const PairChunk& chunk, double* const* history, double* of_pair) override {
+    detail::for_each_contact(chunk, [&](const Contact& c, std::size_t k) {
       typename Law::State s;
-      detail::load_state<Law>(s, b.columns, k, all);
-      sum += law_->energy(c, s);
+      detail::load_state<Law>(s, history, k, all);
+      of_pair[k] = law_->energy(c, s);
     });
-    return sum;
   }
   Json derived() const override {
     if constexpr (requires { law_->derived(); }) return law_->derived();

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "engine/interactions.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "breccia/error.hpp"
+
+namespace breccia {
+namespace {
+
+template <bool with_mass, bool guarded>
+BRECCIA_KERNEL void gather(const PairBatch& b, std::size_t first, std::size_t n, PairChunk& g) {
+  g.size = n;
+  g.time_step = b.time_step;
+  g.breakable = guarded ? g.may_break : g.intact;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Index i = b.i[first + k], j = b.j[first + k];
+    const double *xi = b.position[i].data(), *xj = b.position[j].data();
+    const double *vi = b.velocity[i].data(), *vj = b.velocity[j].data();
+    const double *wi = b.angular_velocity[i].data(), *wj = b.angular_velocity[j].data();
+    g.dx[k] = xj[0] - xi[0];
+    g.dy[k] = xj[1] - xi[1];
+    g.dz[k] = xj[2] - xi[2];
+    g.vx[k] = vj[0] - vi[0];
+    g.vy[k] = vj[1] - vi[1];
+    g.vz[k] = vj[2] - vi[2];
+    g.wix[k] = wi[0];
+    g.wiy[k] = wi[1];
+    g.wiz[k] = wi[2];
+    g.wjx[k] = wj[0];
+    g.wjy[k] = wj[1];
+    g.wjz[k] = wj[2];
+    g.ri[k] = b.radius[i];
+    g.rj[k] = b.radius[j];
+    g.rest[k] = b.rest_length[first + k];
+    if constexpr (with_mass) {
+      g.mi[k] = b.mass[i];
+      g.mj[k] = b.mass[j];
+    }
+    g.intact[k] = b.state[first + k] == BondState::intact ? 1.0 : 0.0;
+  }
+  if constexpr (guarded)
+    for (std::size_t k = 0; k < n; ++k) g.may_break[k] = b.guarded[first + k] ? 0.0 : g.intact[k];
+}
+
+BRECCIA_VECTOR_CLONES void gather_chunk(const PairBatch& b, std::size_t first, std::size_t n, bool with_mass,
+                                        PairChunk& g) {
+  if (b.guarded) with_mass ? gather<true, true>(b, first, n, g) : gather<false, true>(b, first, n, g);
+  else with_mass ? gather<true, false>(b, first, n, g) : gather<false, false>(b, first, n, g);
+}
+
+/// Adds a chunk to the sums of its particles, pair by pair.
+template <bool some_apart>
+BRECCIA_KERNEL void add_up(const PairBatch& b, std::size_t first, std::size_t n, const PairAnswer& e) {
+  for (std::size_t k = 0; k < n; ++k) {
+    const Index i = b.i[first + k], j = b.j[first + k];
+    if (!some_apart || !b.apart[i]) {
+      double *f = b.sum_force[i].data(), *t = b.sum_torque[i].data();
+      f[0] += e.fx[k];
+      f[1] += e.fy[k];
+      f[2] += e.fz[k];
+      t[0] += e.tix[k];
+      t[1] += e.tiy[k];
+      t[2] += e.tiz[k];
+    }
+    if (!some_apart || !b.apart[j]) {
+      double *f = b.sum_force[j].data(), *t = b.sum_torque[j].data();
+      f[0] -= e.fx[k];
+      f[1] -= e.fy[k];
+      f[2] -= e.fz[k];
+      t[0] += e.tjx[k];
+      t[1] += e.tjy[k];
+      t[2] += e.tjz[k];
+    }
+  }
+}
+
+/// Sum in eight lanes, always the same ones: quick, and the same bits whatever the vector width.
+BRECCIA_KERNEL double lane_sum(const double* v, std::size_t n) {
+  double lane[8] = {};
+  std::size_t k = 0;
+  for (; k + 8 <= n; k += 8)
+    for (std::size_t l = 0; l < 8; ++l) lane[l] += v[k + l];
+  for (; k < n; ++k) lane[k % 8] += v[k];
+  return ((lane[0] + lane[4]) + (lane[2] + lane[6])) + ((lane[1] + lane[5]) + (lane[3] + lane[7]));
+}
+
+/// Forces of chunk [first, first + n) to memory where they are wanted, and to the sums of their particles.
+BRECCIA_VECTOR_CLONES void scatter_chunk(const PairBatch& b, std::size_t first, std::size_t n, bool moments,
+                                         const PairAnswer& e) {
+  const std::size_t at = first / PairBatch::chunk;
+  const bool some_apart = b.chunk_apart && b.chunk_apart[at];
+  if (b.keep_force || some_apart) {
+    for (std::size_t k = 0; k < n; ++k)
+      b.force[first + k] = {e.fx[k], e.fy[k], e.fz[k], e.tx[k], e.ty[k], e.tz[k], e.half_gap[k], 0.0};
+    if (moments)
+      for (std::size_t k = 0; k < n; ++k) b.moment[first + k] = Vec3(e.mx[k], e.my[k], e.mz[k]);
+  }
+  if (b.sum_force) some_apart ? add_up<true>(b, first, n, e) : add_up<false>(b, first, n, e);
+}
+
+BRECCIA_VECTOR_CLONES void add_dissipated(const PairAnswer& e, std::size_t n, Dissipated& sum) {
+  sum.friction += lane_sum(e.friction, n);
+  sum.contact += lane_sum(e.contact, n);
+  sum.fracture += lane_sum(e.fracture, n);
+}
+
+void record_breaks(const PairBatch& b, std::size_t first, std::size_t n, const PairAnswer& e) {
+  double any = 0;
+  for (std::size_t k = 0; k < n; ++k) any += e.breaks[k];
+  if (!(any > 0)) return;
+  b.chunk_broke[first / PairBatch::chunk] = 1;
+  for (std::size_t k = 0; k < n; ++k)
+    if (e.breaks[k] > 0) b.state[first + k] = static_cast<BondState>(static_cast<int>(e.breaks[k]));
+}
+
+/// Calls `f(first, chunk)` for the chunks of the batch.
+template <class F>
+void for_each_chunk(const PairBatch& b, F&& f) {
+  PairChunk chunk;
+  for (std::size_t first = b.begin; first < b.end; first += PairBatch::chunk) {
+    gather_chunk(b, first, std::min(PairBatch::chunk, b.end - first), true, chunk);
+    f(first, chunk);
+  }
+}
+
+/// A law's columns from row `first` on.
+class Rows {
+ public:
+  Rows(const PairBatch& b, std::size_t first_column, std::size_t columns, std::size_t first) : at_(columns) {
+    for (std::size_t c = 0; c < columns; ++c) at_[c] = b.columns[first_column + c] + first;
+  }
+  double* const* data() const { return at_.data(); }
+
+ private:
+  std::vector<double*> at_;
+};
+
+}  // namespace
+
+Interactions::Interactions(std::vector<NamedLaw> laws) : laws_(std::move(laws)) {
+  std::string maker;
+  for (const NamedLaw& l : laws_) {
+    first_column_.push_back(columns_);
+    columns_ += l.law->columns().size();
+    has_moments_ |= l.law->has_moments();
+    needs_mass_ |= l.law->needs_mass();
+    if (!l.law->makes_bonds()) continue;
+    if (makes_bonds_)
+      throw UserError("contact_law: `" + maker + "` and `" + l.name +
+                      "` both make bonds: of a list of laws one may, the others add to it");
+    maker = l.name;
+    makes_bonds_ = true;
+    respects_protection_ = l.law->respects_protection();
+  }
+}
+
+std::string Interactions::names() const {
+  std::string text;
+  for (std::size_t k = 0; k < laws_.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == laws_.size() ? " and " : ", ") + ("`" + laws_[k].name + "`");
+  return text;
+}
+
+void Interactions::prepare(const Assembly& assembly) {
+  for (const NamedLaw& l : laws_) l.law->prepare(assembly);
+}
+
+void Interactions::initialise(const PairBatch& b) const {
+  for_each_chunk(b, [&](std::size_t first, const PairChunk& chunk) {
+    for (std::size_t l = 0; l < laws_.size(); ++l) {
+      const std::size_t own = (l + 1 < laws_.size() ? first_column_[l + 1] : columns_) - first_column_[l];
+      laws_[l].law->initialise(chunk, Rows(b, first_column_[l], own, first).data());
+    }
+  });
+}
+
+void Interactions::evaluate(const PairBatch& b) const {
+  PairChunk chunk;
+  PairAnswer answer;
+  std::vector<double*> rows(columns_);
+  for (std::size_t first = b.begin; first < b.end; first += PairBatch::chunk) {
+    const std::size_t n = std::min(PairBatch::chunk, b.end - first);
+    gather_chunk(b, first, n, needs_mass_, chunk);
+    for (std::size_t c = 0; c < columns_; ++c) rows[c] = b.columns[c] + first;
+    Dissipated* dissipated = b.dissipated + laws_.size() * (first / PairBatch::chunk);
+    for (std::size_t l = 0; l < laws_.size(); ++l) {
+      laws_[l].law->evaluate(chunk, rows.data() + first_column_[l], answer, l > 0);
+      add_dissipated(answer, n, dissipated[l]);
+    }
+    scatter_chunk(b, first, n, has_moments_, answer);
+    if (makes_bonds_) record_breaks(b, first, n, answer);
+  }
+}
+
+void Interactions::stiffness(const PairBatch& b, ContactStiffness* out) const {
+  for_each_chunk(b, [&](std::size_t first, const PairChunk& chunk) {
+    ContactStiffness* to = out + (first - b.begin);
+    ContactStiffness one[PairChunk::capacity];
+    for (std::size_t l = 0; l < laws_.size(); ++l) {
+      laws_[l].law->stiffness(chunk, one);
+      for (std::size_t k = 0; k < chunk.size; ++k) to[k] = l == 0 ? one[k] : to[k] + one[k];
+    }
+  });
+}
+
+double Interactions::energy(const PairBatch& b) const {
+  double sum = 0;
+  for (std::size_t l = 0; l < laws_.size(); ++l) sum += energy(b, l);
+  return sum;
+}
+
+double Interactions::energy(const PairBatch& b, std::size_t l) const {
+  double sum = 0;
+  const std::size_t own = (l + 1 < laws_.size() ? first_column_[l + 1] : columns_) - first_column_[l];
+  for_each_chunk(b, [&](std::size_t first, const PairChunk& chunk) {
+    double of_pair[PairChunk::capacity];
+    laws_[l].law->energy(chunk, Rows(b, first_column_[l], own, first).data(), of_pair);
+    for (std::size_t k = 0; k < chunk.size; ++k) sum += of_pair[k];
+  });
+  return sum;
+}
+
+PairBatch whole_batch(State& s, std::vector<double*>& column_pointers) {
+  column_pointers.clear();
+  for (auto& c : s.pairs.columns) column_pointers.push_back(c.data());
+  PairBatch b;
+  b.end = s.pairs.size();
+  b.i = s.pairs.i.data();
+  b.j = s.pairs.j.data();
+  b.rest_length = s.pairs.rest_length.data();
+  b.state = s.pairs.state.data();
+  b.columns = column_pointers.data();
+  b.position = s.particles.position.data();
+  b.velocity = s.particles.velocity.data();
+  b.angular_velocity = s.particles.angular_velocity.data();
+  b.radius = s.particles.radius.data();
+  b.mass = s.particles.mass.data();
+  b.force = s.pairs.force.data();
+  b.moment = s.pairs.moment.data();
+  b.time_step = s.time_step;
+  return b;
+}
+
+}  // namespace breccia

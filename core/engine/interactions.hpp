@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The laws between particles, one after the other: their forces add up on each pair.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "breccia/contact_law.hpp"
+#include "engine/pair_batch.hpp"
+
+namespace breccia {
+
+/// A law and what a user calls it.
+struct NamedLaw {
+  ContactLaw* law;  ///< outlives what uses it
+  std::string name;
+};
+
+/// Gathers the pairs of a batch chunk by chunk, calls each law once for a chunk, and adds the answers to particles and
+/// sums. Each law has its own columns of history, side by side in the order of the list.
+class Interactions {
+ public:
+  /// UserError when two of them make bonds.
+  explicit Interactions(std::vector<NamedLaw> laws);
+  Interactions(ContactLaw& law, std::string name = "contact_law") : Interactions({NamedLaw{&law, std::move(name)}}) {}
+
+  const std::vector<NamedLaw>& laws() const { return laws_; }
+  std::size_t size() const { return laws_.size(); }
+  std::string names() const;  ///< "`a` and `b`", for messages
+  std::size_t columns() const { return columns_; }
+  std::size_t first_column(std::size_t law) const { return first_column_[law]; }
+  bool has_moments() const { return has_moments_; }
+  bool makes_bonds() const { return makes_bonds_; }
+  bool respects_protection() const { return respects_protection_; }  ///< the law that makes bonds does
+
+  void prepare(const Assembly& assembly);
+  void initialise(const PairBatch& batch) const;  ///< history of new pairs
+  void evaluate(const PairBatch& batch) const;
+  void stiffness(const PairBatch& batch, ContactStiffness* out) const;  ///< out[k - begin], of all laws together
+  double energy(const PairBatch& batch) const;                          ///< stored in the batch, in order [J]
+  double energy(const PairBatch& batch, std::size_t law) const;         ///< of one law [J]
+
+ private:
+  std::vector<NamedLaw> laws_;
+  std::vector<std::size_t> first_column_;
+  std::size_t columns_ = 0;
+  bool has_moments_ = false, makes_bonds_ = false, respects_protection_ = false, needs_mass_ = false;
+};
+
+}  // namespace breccia

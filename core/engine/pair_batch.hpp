@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Where the pairs of a list, and what the laws do with them, stand in memory.
+#pragma once
+
+#include "breccia/chunk.hpp"
+#include "breccia/views.hpp"
+#include "model/state.hpp"
+
+namespace breccia {
+
+/// Pairs [begin, end) of the state's arrays. `begin` is a multiple of `chunk`.
+struct PairBatch {
+  static constexpr std::size_t chunk = PairChunk::capacity;  ///< and the grain of deterministic sums
+  std::size_t begin = 0, end = 0;
+  const Index *i = nullptr, *j = nullptr;
+  const double* rest_length = nullptr;
+  BondState* state = nullptr;
+  const std::uint8_t* guarded = nullptr;  ///< 1 for pairs whose bond must not break; null when there are none
+  double* const* columns = nullptr;       ///< the laws' history, one array each
+  const Vec3 *position = nullptr, *velocity = nullptr, *angular_velocity = nullptr;
+  const double *radius = nullptr, *mass = nullptr;
+  PairForce* force = nullptr;
+  Vec3* moment = nullptr;
+  bool keep_force = true;  ///< write `force` and `moment` of all chunks, not only of those set apart
+  /// Sums per particle, added to in the order of the pairs; none if null. Particles in `apart` are left out: they have
+  /// pairs in other batches. `chunk_apart` marks the chunks with pairs of such particles.
+  Vec3 *sum_force = nullptr, *sum_torque = nullptr;
+  const std::uint8_t *apart = nullptr, *chunk_apart = nullptr;
+  Dissipated* dissipated = nullptr;     ///< added to: one per chunk and law, those of a chunk side by side
+  std::uint8_t* chunk_broke = nullptr;  ///< one per chunk, set when a bond in it broke
+  double time_step = 0;
+};
+
+/// All pairs of the state. `column_pointers` keeps what `columns` points to.
+PairBatch whole_batch(State& state, std::vector<double*>& column_pointers);
+
+}  // namespace breccia
