@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 /// What of a workflow matters to a single pair.
 struct PairConfig {
-  PluginChoice contact_law;
+  PluginStack contact_law;
   MaterialConfig material;
   long dimension;
   double thickness;
@@ -38,7 +38,9 @@ PairConfig read_target(const DriveArguments& a, Registry& registry) {
   }
   registry.documentation("contact_law", a.target);  // UserError for a name that no law has
   Schema<PairConfig> schema;
-  schema.param("contact_law", &PairConfig::contact_law).kind("contact_law").doc("the force between two particles");
+  schema.param("contact_law", &PairConfig::contact_law)
+      .kind("contact_law")
+      .doc("the force between two particles; of a list the forces add up");
   schema.param("material", &PairConfig::material).fallback(Json{{"density", 2650.0}}).doc("of the particles");
   schema.param("dimension", &PairConfig::dimension).at_least(2).at_most(3).fallback(3).doc("2: discs; 3: spheres");
   schema.param("thickness", &PairConfig::thickness).unit("m").above(0).fallback(1.0).doc("of the discs, out of plane");
@@ -111,10 +113,10 @@ int drive(const DriveArguments& a) {
   DriveSettings s = settings(a, registry);
   const DrivePath path = read_drive_path(a.path);
   s.renderer = charts(path, registry, console);
-  const fs::path folder = a.output.empty() ? fs::path("results") / ("drive_" + s.law.type) : a.output;
+  const fs::path folder = a.output.empty() ? fs::path("results") / ("drive_" + s.law.names("_")) : a.output;
   ResultsFolder results(folder, a.overwrite, console);
   console.log_to(results.work() / "run.log");
-  console.info(fmt::format("breccia {}: one contact of `{}` along {} into {}", BRECCIA_VERSION, s.law.type,
+  console.info(fmt::format("breccia {}: one contact of `{}` along {} into {}", BRECCIA_VERSION, s.law.names("` and `"),
                            a.path.string(), folder.string()));
   const auto files = breccia::drive(s, path, registry, results.work(), console);
   results.take_over(true);

@@ -39,6 +39,8 @@ std::string value_text(const ParamSpec& spec) {
       return join({"list of mappings", items_text(spec)}, ", ");
     case ParamType::plugin:
       return "one " + spec.plugin_kind;
+    case ParamType::plugin_stack:
+      return "one " + spec.plugin_kind + ", or a list of them that add up";
     case ParamType::plugin_list:
       return join({"list of " + spec.plugin_kind + " plugins", items_text(spec)}, ", ");
     case ParamType::boolean:
@@ -164,6 +166,8 @@ std::string type_name(ParamType type) {
       return "plugin";
     case ParamType::plugin_list:
       return "plugin_list";
+    case ParamType::plugin_stack:
+      return "plugin_stack";
     case ParamType::free_form:
       return "free_form";
     case ParamType::text_list:

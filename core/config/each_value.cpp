@@ -29,6 +29,8 @@ class Walk {
         return members(spec, path, value);
       case ParamType::plugin:
         return plugin(spec, path, value);
+      case ParamType::plugin_stack:
+        return member(spec.as_given(value.is_array()), path, value);
       case ParamType::group_list:
         for (std::size_t k = 0; k < value.size(); ++k) members(spec, item_path(path, k), value[k]);
         return;

@@ -56,6 +56,8 @@ class SchemaWriter {
       Json section;
       if (member.type == ParamType::group) section = completeness(member);
       if (member.type == ParamType::plugin) section = plugin_completeness(member);
+      if (member.type == ParamType::plugin_stack)
+        section = {{"if", {{"type", "object"}}}, {"then", plugin_completeness(member)}};
       if (!section.empty()) sections[member.name] = section;
     }
     if (!sections.empty()) schema["properties"] = sections;
@@ -160,6 +162,11 @@ class SchemaWriter {
         return plugin(spec, extent);
       case ParamType::plugin_list:
         return list(plugin(spec, Extent::whole), spec);
+      case ParamType::plugin_stack: {
+        Json one = plugin(spec, extent);
+        Json several = list(plugin(spec, Extent::whole), spec.as_given(true));
+        return {{"if", {{"type", "array"}}}, {"then", several}, {"else", one}};
+      }
       case ParamType::free_form:
         return {{"type", "object"}};
     }

@@ -28,6 +28,8 @@ class KeySearch {
     if (spec.type == ParamType::group) return search(spec, node, path);
     if (spec.type == ParamType::plugin) return node ? search_plugin(spec.plugin_kind, *node, path) : std::nullopt;
     if (!node) return {};
+    if (spec.type == ParamType::plugin_stack)
+      return search_member(spec.as_given(node->kind == YamlNode::Kind::sequence), node, path);
     for (std::size_t k = 0; k < node->items.size(); ++k) {
       const YamlNode& item = *node->items[k];
       const std::string item_at = item_path(path, k);

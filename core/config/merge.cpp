@@ -36,7 +36,9 @@ class Merger {
   /// `spec` is nullptr where the schema knows nothing: below free forms and unknown keys.
   YamlPtr merge(const ParamSpec* spec, const YamlPtr& below, const YamlPtr& above) const {
     if (above->kind != YamlNode::Kind::mapping || below->kind == YamlNode::Kind::null) return above;
-    const bool is_plugin = spec && spec->type == ParamType::plugin;
+    const bool stacks = spec && spec->type == ParamType::plugin_stack;
+    if (stacks && below->kind == YamlNode::Kind::sequence) return above;  // another list, or one instead of it
+    const bool is_plugin = stacks || (spec && spec->type == ParamType::plugin);
     const bool is_section = is_plugin || (spec && spec->type == ParamType::group);
     // A section that is no mapping stays, so that the reader reports it where it was written.
     if (below->kind != YamlNode::Kind::mapping) return is_section ? below : above;
@@ -76,7 +78,8 @@ class Merger {
         node->kind == YamlNode::Kind::mapping ? member_of(group_of(spec, *node), steps[0].name) : nullptr;
     if (!member) return node;
     if (!node->find(member->name)) {
-      const bool is_other_plugin = member->type == ParamType::plugin && steps[1].name == "type";
+      const bool is_other_plugin =
+          (member->type == ParamType::plugin || member->type == ParamType::plugin_stack) && steps[1].name == "type";
       const bool is_list_or_filled =
           member->fallback.is_array() || (member->fallback.is_object() && !member->fallback.empty());
       if (is_other_plugin || !is_list_or_filled) return node;
@@ -116,7 +119,8 @@ class Merger {
   const ParamSpec* group_of(const ParamSpec* spec, const YamlNode& mapping) const {
     if (!spec) return nullptr;
     if (spec->type == ParamType::group || spec->type == ParamType::group_list) return spec;
-    const bool is_plugin = spec->type == ParamType::plugin || spec->type == ParamType::plugin_list;
+    const bool is_plugin = spec->type == ParamType::plugin || spec->type == ParamType::plugin_list ||
+                           spec->type == ParamType::plugin_stack;
     const std::string* type = is_plugin ? plugin_type(mapping) : nullptr;
     return type ? plugin_group(spec->plugin_kind, *type) : nullptr;
   }

@@ -31,6 +31,8 @@ Json SectionReader::read(const ParamSpec& spec, const YamlNode& node, const Site
     return nullptr;
   }
   switch (spec.type) {
+    case ParamType::plugin_stack:
+      return read(spec.as_given(node.kind == YamlNode::Kind::sequence), node, site);
     case ParamType::group:
       return check_mapping(node, site, spec) ? read_members(spec, node, site) : Json();
     case ParamType::plugin:

@@ -78,6 +78,8 @@ std::string wanted_value(const ParamSpec& spec) {
       return "a list (`- ` items) of mappings";
     case ParamType::plugin:
       return "a mapping that begins with `type: NAME`";
+    case ParamType::plugin_stack:
+      return "a mapping that begins with `type: NAME`, or a list of such";
     case ParamType::plugin_list:
       return "a list of items that begin with `- type: NAME`";
     case ParamType::free_form:

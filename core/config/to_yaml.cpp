@@ -27,6 +27,8 @@ class TreeWriter {
         return plugin(spec, value);
       case ParamType::plugin_list:
         return list(value, [&](const Json& item) { return plugin(spec, item); });
+      case ParamType::plugin_stack:
+        return write(spec.as_given(value.is_array()), value);
       case ParamType::choice:
         return value.is_string() ? scalar(value.get<std::string>(), true) : as_it_stands(value);
       default:

@@ -50,9 +50,39 @@ BRECCIA_VECTOR_CLONES void gather_chunk(const PairBatch& b, std::size_t first, s
   else with_mass ? gather<true, false>(b, first, n, g) : gather<false, false>(b, first, n, g);
 }
 
+/// Torques of the pairs of a chunk on either end: lever arm times n x shear force, and the moment. As
+/// `complete_forces` has them for particles that are summed apart: from sums over the laws.
+struct alignas(64) Torques {
+  static constexpr std::size_t n = PairChunk::capacity;
+  double ix[n], iy[n], iz[n], jx[n], jy[n], jz[n];
+};
+
+template <bool moments>
+BRECCIA_KERNEL void torques_of(const PairChunk& g, const PairAnswer& e, std::size_t n, Torques& t) {
+#pragma omp simd
+  for (std::size_t k = 0; k < n; ++k) {
+    const double ai = g.ri[k] + e.half_gap[k], aj = g.rj[k] + e.half_gap[k];
+    t.ix[k] = ai * e.tx[k];
+    t.iy[k] = ai * e.ty[k];
+    t.iz[k] = ai * e.tz[k];
+    t.jx[k] = aj * e.tx[k];
+    t.jy[k] = aj * e.ty[k];
+    t.jz[k] = aj * e.tz[k];
+    if constexpr (moments) {
+      t.ix[k] += e.mx[k];
+      t.iy[k] += e.my[k];
+      t.iz[k] += e.mz[k];
+      t.jx[k] -= e.mx[k];
+      t.jy[k] -= e.my[k];
+      t.jz[k] -= e.mz[k];
+    }
+  }
+}
+
 /// Adds a chunk to the sums of its particles, pair by pair.
 template <bool some_apart>
-BRECCIA_KERNEL void add_up(const PairBatch& b, std::size_t first, std::size_t n, const PairAnswer& e) {
+BRECCIA_KERNEL void add_up(const PairBatch& b, std::size_t first, std::size_t n, const PairAnswer& e,
+                           const Torques& torque) {
   for (std::size_t k = 0; k < n; ++k) {
     const Index i = b.i[first + k], j = b.j[first + k];
     if (!some_apart || !b.apart[i]) {
@@ -60,18 +90,18 @@ BRECCIA_KERNEL void add_up(const PairBatch& b, std::size_t first, std::size_t n,
       f[0] += e.fx[k];
       f[1] += e.fy[k];
       f[2] += e.fz[k];
-      t[0] += e.tix[k];
-      t[1] += e.tiy[k];
-      t[2] += e.tiz[k];
+      t[0] += torque.ix[k];
+      t[1] += torque.iy[k];
+      t[2] += torque.iz[k];
     }
     if (!some_apart || !b.apart[j]) {
       double *f = b.sum_force[j].data(), *t = b.sum_torque[j].data();
       f[0] -= e.fx[k];
       f[1] -= e.fy[k];
       f[2] -= e.fz[k];
-      t[0] += e.tjx[k];
-      t[1] += e.tjy[k];
-      t[2] += e.tjz[k];
+      t[0] += torque.jx[k];
+      t[1] += torque.jy[k];
+      t[2] += torque.jz[k];
     }
   }
 }
@@ -87,8 +117,9 @@ BRECCIA_KERNEL double lane_sum(const double* v, std::size_t n) {
 }
 
 /// Forces of chunk [first, first + n) to memory where they are wanted, and to the sums of their particles.
-BRECCIA_VECTOR_CLONES void scatter_chunk(const PairBatch& b, std::size_t first, std::size_t n, bool moments,
+BRECCIA_VECTOR_CLONES void scatter_chunk(const PairBatch& b, std::size_t first, bool moments, const PairChunk& g,
                                          const PairAnswer& e) {
+  const std::size_t n = g.size;
   const std::size_t at = first / PairBatch::chunk;
   const bool some_apart = b.chunk_apart && b.chunk_apart[at];
   if (b.keep_force || some_apart) {
@@ -97,7 +128,10 @@ BRECCIA_VECTOR_CLONES void scatter_chunk(const PairBatch& b, std::size_t first, 
     if (moments)
       for (std::size_t k = 0; k < n; ++k) b.moment[first + k] = Vec3(e.mx[k], e.my[k], e.mz[k]);
   }
-  if (b.sum_force) some_apart ? add_up<true>(b, first, n, e) : add_up<false>(b, first, n, e);
+  if (!b.sum_force) return;
+  Torques t;
+  moments ? torques_of<true>(g, e, n, t) : torques_of<false>(g, e, n, t);
+  some_apart ? add_up<true>(b, first, n, e, t) : add_up<false>(b, first, n, e, t);
 }
 
 BRECCIA_VECTOR_CLONES void add_dissipated(const PairAnswer& e, std::size_t n, Dissipated& sum) {
@@ -180,16 +214,19 @@ void Interactions::evaluate(const PairBatch& b) const {
   PairChunk chunk;
   PairAnswer answer;
   std::vector<double*> rows(columns_);
+  const bool clear_moments = has_moments_ && !laws_.front().law->has_moments();  // the first law does not write them
   for (std::size_t first = b.begin; first < b.end; first += PairBatch::chunk) {
     const std::size_t n = std::min(PairBatch::chunk, b.end - first);
     gather_chunk(b, first, n, needs_mass_, chunk);
     for (std::size_t c = 0; c < columns_; ++c) rows[c] = b.columns[c] + first;
     Dissipated* dissipated = b.dissipated + laws_.size() * (first / PairBatch::chunk);
+    if (clear_moments)
+      for (double* m : {answer.mx, answer.my, answer.mz}) std::fill(m, m + n, 0.0);
     for (std::size_t l = 0; l < laws_.size(); ++l) {
       laws_[l].law->evaluate(chunk, rows.data() + first_column_[l], answer, l > 0);
       add_dissipated(answer, n, dissipated[l]);
     }
-    scatter_chunk(b, first, n, has_moments_, answer);
+    scatter_chunk(b, first, has_moments_, chunk, answer);
     if (makes_bonds_) record_breaks(b, first, n, answer);
   }
 }

@@ -31,7 +31,7 @@ double touching(const State& s, std::size_t pair) {
 
 bool all_finite(const ContactStiffness& c) {
   return std::isfinite(c.normal) && std::isfinite(c.shear) && std::isfinite(c.bending) && std::isfinite(c.torsion) &&
-         std::isfinite(c.damping);
+         std::isfinite(c.damping) && std::isfinite(c.shear_damping);
 }
 
 /// Copies of all that one pair has, for the law to work on.

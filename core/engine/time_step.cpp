@@ -106,8 +106,8 @@ class Restraints {
       law_.stiffness(one, &c);
       const Vec3 n = branch / (second ? -d : d);
       add_contact(r.stiffness, n, p.radius[a] + half_gap, c);
-      if (c.damping > 0) {
-        r.damping.topLeftCorner<3, 3>() += c.damping * (n * n.transpose());
+      if (c.damping > 0 || c.shear_damping > 0) {
+        add_contact(r.damping, n, p.radius[a] + half_gap, {c.damping, c.shear_damping, 0, 0});
         r.damped = true;
       }
     }

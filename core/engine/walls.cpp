@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "breccia/coulomb.hpp"
+
 namespace breccia {
 
 Facing facing(const Wall& w, const Vec3& x) {
@@ -62,12 +64,10 @@ void wall_forces(State& s, std::vector<Vec3>& force, std::vector<Vec3>& torque) 
       t.spring -= 2 * t.spring.dot(middle.normal) * middle.normal;
       t.spring -= t.spring.dot(f.normal) * f.normal;
       const Vec3 trial = t.spring + dt * slip;
-      const double size = w.shear_stiffness * trial.norm(), limit = w.friction * pressed;
-      const double keep = size > limit ? limit / size : 1.0;
-      // Leapfrog's own work: the mean of the force before and after.
-      if (keep < 1)
-        s.energy.friction += 0.5 * (w.shear_stiffness * t.spring.dot(trial) + limit * trial.norm()) * (1 - keep);
-      t.spring = keep * trial;
+      const CoulombSlip slider =
+          coulomb_slip(w.shear_stiffness, trial.norm(), t.spring.dot(trial), w.friction * pressed);
+      s.energy.friction += slider.work;
+      t.spring = slider.keep * trial;
       t.force = -w.shear_stiffness * t.spring;
     }
     t.force += pressed * f.normal;

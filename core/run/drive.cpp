@@ -11,6 +11,7 @@
 #include "engine/simulation.hpp"
 #include "output/curve_table.hpp"
 #include "output/summary_table.hpp"
+#include "run/contact_laws.hpp"
 #include "run/energy_check.hpp"
 #include "run/warning_log.hpp"
 
@@ -31,7 +32,7 @@ class Drive {
         registry_(registry),
         folder_(folder),
         host_(host),
-        law_(registry.create<ContactLaw>(s.law)),
+        laws_(registry, s.law),
         start_(s.radius_i + s.radius_j + s.gap) {}
 
   std::vector<std::filesystem::path> operator()() {
@@ -93,7 +94,7 @@ class Drive {
     settings.safety = steps_per_critical;
     settings.skin = 1 + 8 * farthest / (s_.radius_i + s_.radius_j);  // they stay neighbours wherever the path leads
     auto simulation = std::make_unique<Simulation>(assemble(two, {s_.density}, s_.dimension, s_.thickness),
-                                                   Interactions(*law_, s_.law.type), settings);
+                                                   laws_.interactions(), settings);
     const double rounding = 1e-9 * (s_.radius_i + s_.radius_j);
     simulation->bond({GapMeasure::absolute, s_.bonded ? s_.gap + rounding : s_.gap - rounding, std::nullopt},
                      SpecimenToTell{s_.porosity, s_.coordination_number});
@@ -117,7 +118,7 @@ class Drive {
     const std::string text = fmt::format(
         "energy does not close: {:.3g} % of the work done on the pair is unaccounted for: the energy function or the "
         "reported dissipation of contact law `{}` does not match its force, or the increments are too long (--steps)",
-        100 * off, s_.law.type);
+        100 * off, s_.law.names("` and `"));
     if (off > limits.end) return text;
     host_.warn(text);
     return std::nullopt;
@@ -143,10 +144,12 @@ class Drive {
                           {"energy_error", "J", ""}};
     for (const Column& c : own) curves_.add(c);
     history_ = curves_.columns().size();
-    for (const ContactLaw::ColumnDoc& c : law_->columns()) {
-      const bool taken = std::any_of(std::begin(own), std::end(own), [&](const Column& o) { return o.name == c.name; });
-      curves_.add({(taken ? "history_" : "") + c.name, c.unit, ""});
-    }
+    for (std::size_t l = 0; l < laws_.size(); ++l)
+      for (const ContactLaw::ColumnDoc& c : laws_.laws()[l]->columns()) {
+        const std::string name = laws_.column_name(l, c.name);
+        const bool taken = std::any_of(std::begin(own), std::end(own), [&](const Column& o) { return o.name == name; });
+        curves_.add({(taken ? "history_" : "") + name, c.unit, ""});
+      }
   }
 
   void follow() {
@@ -242,7 +245,7 @@ class Drive {
       return std::minmax_element(c.begin(), c.end());
     };
     SummaryTable t;
-    t.set("law", s_.law.type);
+    t.set("law", s_.law.names());
     t.set("rows", curves_.rows());
     for (const char* force : {"normal_force", "shear_force"}) {
       const auto [least, most] = extreme(force);
@@ -262,8 +265,13 @@ class Drive {
                        {"thickness_m", s_.thickness},
                        {"porosity", s_.porosity},
                        {"coordination_number", s_.coordination_number}});
-    t.set("contact_law", Json{{s_.law.type, s_.law.config}});
-    if (const Json derived = law_->derived(); !derived.empty()) t.set("derived", derived);
+    Json given = Json::object(), derived = Json::object();
+    for (std::size_t l = 0; l < laws_.size(); ++l) {
+      given[laws_.name(l)] = s_.law.plugins[l].config;
+      if (const Json own = laws_.laws()[l]->derived(); !own.empty()) derived.update(own);
+    }
+    t.set("contact_law", given);
+    if (!derived.empty()) t.set("derived", derived);
     t.update("warnings", host_.warnings());
     t.write(folder_);
   }
@@ -271,7 +279,7 @@ class Drive {
   std::vector<std::filesystem::path> draw() {
     if (!s_.renderer) return {};
     try {
-      return registry_.create<Renderer>(*s_.renderer)->compare({{{folder_, s_.law.type}}, folder_}, host_);
+      return registry_.create<Renderer>(*s_.renderer)->compare({{{folder_, s_.law.names()}}, folder_}, host_);
     } catch (const Unavailable& e) { return without_charts(e); } catch (const UserError& e) {
       return without_charts(e);
     }
@@ -287,7 +295,7 @@ class Drive {
   const Registry& registry_;
   const std::filesystem::path& folder_;
   WarningLog<Host> host_;
-  std::unique_ptr<ContactLaw> law_;
+  ContactLaws laws_;
   double start_;  ///< distance of the centres [m]
   std::unique_ptr<Simulation> simulation_;
   CurveTable curves_;

@@ -11,7 +11,7 @@
 namespace breccia {
 
 struct DriveSettings {
-  PluginChoice law;
+  PluginStack law;
   double density = 2650;  // [kg/m3]
   int dimension = 3;
   double thickness = 1;                     ///< of discs [m]

@@ -17,6 +17,7 @@
 #include "output/curve_table.hpp"
 #include "output/summary_table.hpp"
 #include "run/checks.hpp"
+#include "run/contact_laws.hpp"
 #include "run/contention.hpp"
 #include "run/energy_check.hpp"
 #include "run/frames.hpp"
@@ -60,7 +61,7 @@ class Run {
 
  private:
   void create_plugins() {
-    law_ = registry_.create<ContactLaw>(w_.contact_law);
+    laws_.emplace(registry_, w_.contact_law);
     protocol_ = registry_.create<Protocol>(w_.protocol);
     std::vector<std::unique_ptr<Output>> outputs;
     for (const PluginChoice& c : w_.postprocessors) posts_.push_back(registry_.create<Postprocessor>(c));
@@ -78,9 +79,8 @@ class Run {
     settings.safety = w_.engine.time_step_safety;
     settings.skin = w_.engine.skin;
     settings.threads = monitor_.threads();
-    simulation_ =
-        std::make_unique<Simulation>(assemble(packing_.particles, {w_.material.density}, dimension, w_.thickness),
-                                     Interactions(*law_, w_.contact_law.type), settings);
+    simulation_ = std::make_unique<Simulation>(
+        assemble(packing_.particles, {w_.material.density}, dimension, w_.thickness), laws_->interactions(), settings);
     bonding_ = simulation_->bond(w_.bonding.rule());
     const bool relative = bonding_.measure == GapMeasure::relative;
     monitor_.info(fmt::format(
@@ -116,7 +116,7 @@ class Run {
       provenance["plugins"][std::string(kind) + "/" + name] = info.version + " " + info.sha256;
     };
     add("packing", w_.packing.type);
-    add("contact_law", w_.contact_law.type);
+    for (const PluginChoice& c : w_.contact_law.plugins) add("contact_law", c.type);
     add("protocol", w_.protocol.type);
     for (const PluginChoice& c : w_.postprocessors) add("postprocessor", c.type);
     for (const PluginChoice& c : w_.outputs) add("output", c.type);
@@ -182,7 +182,7 @@ class Run {
       protocol_->sample(view, curves_);
       if (begins)
         for (auto& p : posts_) p->start_of_loading(view);
-      if (!energy_check_) energy_check_.emplace(energy_limits(), w_.contact_law.type);
+      if (!energy_check_) energy_check_.emplace(energy_limits(), w_.contact_law.names("` and `"));
       try {
         energy_check_->sample(view.energy, view.step, monitor_);
       } catch (const UserError& e) {  // what was measured so far is kept, and says so
@@ -233,9 +233,16 @@ class Run {
     summary_.set("ns_per_bond_step",
                  view.step && bonds ? Json(1e9 * loop_seconds_ / double(view.step) / double(bonds)) : Json());
     summary_.set("neighbour_list_rebuilds", sim.rebuilds());
-    const Json derived = law_->derived();
-    for (const auto& [key, value] : derived.items())
-      SummaryTable::Section(summary_, w_.contact_law.type).own(key, value);
+    for (std::size_t l = 0; l < laws_->size(); ++l) {
+      SummaryTable::Section section(summary_, laws_->name(l));
+      const Json derived = laws_->laws()[l]->derived();
+      for (const auto& [key, value] : derived.items()) section.own(key, value);
+      if (laws_->size() == 1) continue;  // of one law the ledger says the same
+      const Dissipated& lost = sim.state().dissipated[l];
+      section.own("friction_J", lost.friction);
+      section.own("contact_J", lost.contact);
+      section.own("fracture_J", lost.fracture);
+    }
     SummaryTable::Section protocol(summary_, w_.protocol.type);
     protocol_->finish(view, curves_, protocol);
     for (std::size_t k = 0; k < posts_.size(); ++k) {
@@ -281,7 +288,7 @@ class Run {
   const Registry& registry_;
   const RunOptions& options_;
   RunLog monitor_;
-  std::unique_ptr<ContactLaw> law_;
+  std::optional<ContactLaws> laws_;
   std::unique_ptr<Protocol> protocol_;
   std::vector<std::unique_ptr<Postprocessor>> posts_;
   std::unique_ptr<Frames> frames_;

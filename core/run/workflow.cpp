@@ -11,6 +11,7 @@
 #include "breccia/renderer.hpp"
 #include "breccia/utf8.hpp"
 #include "config/reader.hpp"
+#include "run/contact_laws.hpp"
 #include "run/plugin_section.hpp"
 #include "run/result_name.hpp"
 
@@ -139,7 +140,9 @@ void Workflow::describe(Schema<Workflow>& s) {
   s.param("packing", &Workflow::packing).kind("packing").doc("how the particles are arranged");
   s.param("material", &Workflow::material).doc("of the particles");
   s.param("bonding", &Workflow::bonding).doc("which neighbours are glued together before loading");
-  s.param("contact_law", &Workflow::contact_law).kind("contact_law").doc("the force between two particles");
+  s.param("contact_law", &Workflow::contact_law)
+      .kind("contact_law")
+      .doc("the force between two particles; of a list of laws the forces add up, and one of them may make bonds");
   s.param("damping", &Workflow::damping).fallback(defaults).doc("non-viscous damping of the motion");
   s.param("protocol", &Workflow::protocol).kind("protocol").doc("the test");
   s.param("engine", &Workflow::engine).fallback(defaults).doc("numerical settings");
@@ -184,7 +187,7 @@ void try_plugins(const Workflow& w, const Registry& registry) {
   for (const fs::path& input : registry.create<Packing>(w.packing)->inputs())
     if (!fs::is_regular_file(input))
       throw UserError("packing " + w.packing.type + ": cannot read " + input.string() + ": no such file");
-  registry.create<ContactLaw>(w.contact_law);
+  ContactLaws(registry, w.contact_law);
   registry.create<Protocol>(w.protocol);
   for (const PluginChoice& c : w.postprocessors) registry.create<Postprocessor>(c);
   for (const PluginChoice& c : w.outputs) registry.create<Output>(c);

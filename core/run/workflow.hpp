@@ -50,7 +50,8 @@ struct Workflow {
   long seed, dimension;
   double thickness;
   std::vector<PluginPath> plugins;
-  PluginChoice packing, contact_law, protocol;
+  PluginChoice packing, protocol;
+  PluginStack contact_law;
   MaterialConfig material;
   BondingConfig bonding;
   DampingConfig damping;

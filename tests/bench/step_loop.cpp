@@ -12,6 +12,7 @@
 #include "engine/assembly.hpp"
 #include "engine/simulation.hpp"
 #include "output/curve_table.hpp"
+#include "run/contact_laws.hpp"
 #include "run/packing_cache.hpp"
 #include "run/workflow.hpp"
 
@@ -49,9 +50,10 @@ class Case {
 
   Case(const Workflow& w, const Registry& registry, const PackedParticles& packing, int threads)
       : threads_(threads),
-        law_(registry.create<ContactLaw>(w.contact_law)),
+        laws_(registry, w.contact_law),
         protocol_(registry.create<Protocol>(w.protocol)),
-        sim_(assemble(packing, {w.material.density}, int(w.dimension), w.thickness), *law_, settings(w, threads)) {
+        sim_(assemble(packing, {w.material.density}, int(w.dimension), w.thickness), laws_.interactions(),
+             settings(w, threads)) {
     sim_.bond(w.bonding.rule());
     protocol_->setup(sim_.view(), sim_, curves_, host_);
     sim_.prepare();
@@ -100,7 +102,7 @@ class Case {
     return s;
   }
   int threads_;
-  std::unique_ptr<ContactLaw> law_;
+  ContactLaws laws_;
   std::unique_ptr<Protocol> protocol_;
   Simulation sim_;
   Quiet host_;

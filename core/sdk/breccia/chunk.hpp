@@ -27,17 +27,16 @@ struct alignas(64) PairChunk {
   PairChunk& operator=(const PairChunk&) = delete;
 };
 
-/// What the laws of a list answer together. Forces and moments on i, their opposites on j; torques on either.
+/// What the laws of a list answer together. Forces and moments on i, their opposites on j.
 struct alignas(64) PairAnswer {
   static constexpr std::size_t n = PairChunk::capacity;
-  double fx[n], fy[n], fz[n];                             // [N]
-  double tx[n], ty[n], tz[n];                             ///< n x shear force [N]
-  double tix[n], tiy[n], tiz[n], tjx[n], tjy[n], tjz[n];  // [N m]
-  double mx[n], my[n], mz[n];                             ///< where a law has moments [N m]
-  double normal[n];                                       ///< force so far, tension positive [N]
-  double half_gap[n];                                     ///< (distance - r_i - r_j)/2 [m]
-  double breaks[n];                                       ///< 0, or the BondState it breaks into
-  double friction[n], contact[n], fracture[n];            ///< of the law that was called last [J]
+  double fx[n], fy[n], fz[n];                   // [N]
+  double tx[n], ty[n], tz[n];                   ///< n x shear force: the torque on either per lever arm [N]
+  double mx[n], my[n], mz[n];                   ///< where a law has moments [N m]
+  double normal[n];                             ///< force so far, tension positive [N]
+  double half_gap[n];                           ///< (distance - r_i - r_j)/2 [m]
+  double breaks[n];                             ///< 0, or the BondState it breaks into
+  double friction[n], contact[n], fracture[n];  ///< of the law that was called last [J]
 };
 
 }  // namespace breccia

@@ -132,30 +132,15 @@ BRECCIA_KERNEL void evaluate_lane(const Law& law, const PairChunk& g, double* co
   put(out.normal, f.normal);
   const double tx = c.ny * f.shear_z - c.nz * f.shear_y, ty = c.nz * f.shear_x - c.nx * f.shear_z,
                tz = c.nx * f.shear_y - c.ny * f.shear_x;
-  const double half_gap = 0.5 * (c.distance - c.radius_i - c.radius_j), ai = c.radius_i + half_gap,
-               aj = c.radius_j + half_gap;
   put(out.tx, tx);
   put(out.ty, ty);
   put(out.tz, tz);
-  double tix = ai * tx, tiy = ai * ty, tiz = ai * tz, tjx = aj * tx, tjy = aj * ty, tjz = aj * tz;
   if constexpr (law_has_moments<Law>()) {
     put(out.mx, f.moment_x);
     put(out.my, f.moment_y);
     put(out.mz, f.moment_z);
-    tix += f.moment_x;
-    tiy += f.moment_y;
-    tiz += f.moment_z;
-    tjx -= f.moment_x;
-    tjy -= f.moment_y;
-    tjz -= f.moment_z;
   }
-  put(out.tix, tix);
-  put(out.tiy, tiy);
-  put(out.tiz, tiz);
-  put(out.tjx, tjx);
-  put(out.tjy, tjy);
-  put(out.tjz, tjz);
-  if constexpr (!adds) out.half_gap[k] = half_gap;
+  if constexpr (!adds) out.half_gap[k] = 0.5 * (c.distance - c.radius_i - c.radius_j);
   if constexpr (law_makes_bonds<Law>()) out.breaks[k] = f.breaks;
   else if constexpr (!adds) out.breaks[k] = 0;
   out.friction[k] = f.friction_work;

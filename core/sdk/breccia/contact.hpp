@@ -58,10 +58,11 @@ struct ContactForce {
 struct ContactStiffness {
   double normal = 0, shear = 0, bending = 0, torsion = 0;
   double damping = 0;
+  double shear_damping = 0;  ///< the same across the normal [N s/m]
 
   friend ContactStiffness operator+(const ContactStiffness& a, const ContactStiffness& b) {
-    return {a.normal + b.normal, a.shear + b.shear, a.bending + b.bending, a.torsion + b.torsion,
-            a.damping + b.damping};
+    return {a.normal + b.normal,   a.shear + b.shear,     a.bending + b.bending,
+            a.torsion + b.torsion, a.damping + b.damping, a.shear_damping + b.shear_damping};
   }
 };
 

@@ -28,6 +28,7 @@
 
 #include "breccia/chunk_loop.hpp"
 #include "breccia/contact.hpp"
+#include "breccia/coulomb.hpp"
 #include "breccia/plugin.hpp"
 #include "breccia/views.hpp"
 

@@ -43,8 +43,9 @@ enum class ParamType {
   group_list,  ///< sequence of such mappings; JSON array
   plugin,      ///< mapping with `type: NAME` and that plugin's own parameters; JSON object with "type"
   plugin_list,
-  free_form,  ///< any mapping, kept as it stands (reference values); JSON object
-  text_list   ///< sequence of texts; JSON array
+  plugin_stack,  ///< one plugin, or a list of them; JSON object or array
+  free_form,     ///< any mapping, kept as it stands (reference values); JSON object
+  text_list      ///< sequence of texts; JSON array
 };
 
 struct Bound {
@@ -71,6 +72,14 @@ struct ParamSpec {
   std::vector<ParamSpec> members;                                        ///< of a group or group_list
   std::vector<std::vector<std::string>> exactly_one_of, at_most_one_of;  ///< among `members`
   std::map<std::string, std::string> removed;                            ///< retired member -> what to write instead
+
+  /// Of a plugin_stack: what it is when a list was given, or a single plugin.
+  ParamSpec as_given(bool list) const {
+    ParamSpec form = *this;
+    form.type = list ? ParamType::plugin_list : ParamType::plugin;
+    form.min_items = 1;
+    return form;
+  }
 };
 
 /// What `describe` prints of a plugin, and what its section in a workflow must look like.
@@ -86,6 +95,16 @@ struct Documentation {
 struct PluginChoice {
   std::string type;
   Json config = Json::object();
+};
+
+/// One plugin, or several that act together, in their order; never none.
+struct PluginStack {
+  std::vector<PluginChoice> plugins;
+  std::string names(const char* between = " + ") const {
+    std::string text;
+    for (const PluginChoice& p : plugins) text += (text.empty() ? "" : between) + p.type;
+    return text;
+  }
 };
 
 template <class T>
@@ -122,6 +141,7 @@ constexpr ParamType param_type() {
   else if constexpr (std::is_same_v<M, std::vector<double>> || std::is_same_v<M, Vec3>) return ParamType::quantity_list;
   else if constexpr (std::is_same_v<M, PluginChoice>) return ParamType::plugin;
   else if constexpr (std::is_same_v<M, std::vector<PluginChoice>>) return ParamType::plugin_list;
+  else if constexpr (std::is_same_v<M, PluginStack>) return ParamType::plugin_stack;
   else if constexpr (std::is_same_v<M, Json>) return ParamType::free_form;
   else if constexpr (std::is_same_v<M, std::vector<std::string>>) return ParamType::text_list;
   else if constexpr (is_vector<M>::value) return ParamType::group_list;
@@ -328,6 +348,9 @@ void detail::load_value(const Json& j, M& m) {
     m.type = j.at("type").get<std::string>();
     m.config = j;
     m.config.erase("type");
+  } else if constexpr (std::is_same_v<M, PluginStack>) {
+    m.plugins.clear();
+    for (const Json& one : j.is_array() ? j : Json::array({j})) load_value(one, m.plugins.emplace_back());
   } else if constexpr (std::is_same_v<M, Json>) {
     m = j;
   } else if constexpr (Described<M>) {

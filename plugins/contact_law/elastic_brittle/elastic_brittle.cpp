@@ -120,9 +120,8 @@ struct ElasticBrittle {
     const double free_normal = kn * (c.distance - free_length(c));
     const double pressed = free_normal < 0 ? free_normal : 0.0;
     const double limit = friction * -pressed;
-    // Below the limit the spring stays; above it, its force is the limit (0/0 cannot happen: trial > limit >= 0).
-    const bool slides = !holds & (trial > limit);
-    const double keep = slides ? limit / (trial > 0 ? trial : 1.0) : 1.0;
+    const CoulombSlip slip = coulomb_slip(ks, spring, old.x * ux + old.y * uy + old.z * uz, limit, !holds);
+    const double keep = slip.keep;
     s.spring_x = ux * keep;
     s.spring_y = uy * keep;
     s.spring_z = uz * keep;
@@ -133,15 +132,13 @@ struct ElasticBrittle {
     f.shear_y = ks * s.spring_y;
     f.shear_z = ks * s.spring_z;
     f.breaks = tension ? double(BondState::broken_tension) : shear ? double(BondState::broken_shear) : 0.0;
-    // Stored before minus stored after. What a bond loses in the step it breaks is fracture energy; a slide after that
-    // dissipates the way times the mean of the forces before and after: leapfrog's own work.
+    // Stored before minus stored after. What a bond loses in the step it breaks is fracture energy.
     const double lost_shear = 0.5 * ks * spring * spring * (1 - keep * keep);
     const double free_stored = 0.5 * pressed * (c.distance - free_length(c));
     const double bonded_stored = 0.5 * bonded_normal * (c.distance - c.rest_length);
     const bool broke = tension | shear;
     f.fracture_energy = broke ? lost_shear + bonded_stored - free_stored : 0.0;
-    const double before = ks * (old.x * ux + old.y * uy + old.z * uz);
-    f.friction_work = slides & !broke ? 0.5 * (before + limit * spring) * (1 - keep) : 0.0;
+    f.friction_work = broke ? 0.0 : slip.work;
     return f;
   }
 

@@ -78,9 +78,9 @@ struct Law {
     const double keep_n = (1 - dn) * over_s * beyond * inverse, keep_s = (1 - ds) * over_n * beyond * inverse;
 
     const double limit = friction * pressed;
-    const bool slides = !intact & (trial > limit);
+    const CoulombSlip slip = coulomb_slip(ks, spring, old.x * ux + old.y * uy + old.z * uz, limit, !intact);
     // A bond breaks in shear when its force has come down to zero: friction takes up from there.
-    const double keep = broke ? 0.0 : slides ? limit * strength_s * inverse_s : 1.0;
+    const double keep = broke ? 0.0 : slip.keep;
     s.spring_x = keep * ux;
     s.spring_y = keep * uy;
     s.spring_z = keep * uz;
@@ -106,13 +106,12 @@ struct Law {
         (1 + soft_n) * ea * c.rest_length * peak_n * peak_n * grown_n + (1 + soft_s) * ks * peak_s * peak_s * grown_s;
     const double left = keep_n * ea * c.rest_length * pulled * pulled + keep_s * ks * spring * spring;
     f.fracture_energy = 0.5 * (softened + (broke ? left : 0.0));
-    const double before = ks * (old.x * ux + old.y * uy + old.z * uz);
-    f.friction_work = slides ? 0.5 * (before + limit * spring) * (1 - keep) : 0.0;  // the mean of two, as below
+    f.friction_work = slip.work;
     f.contact_work =
         area * c.rest_length * (hardening.plastic_work(plastic) - hardening.plastic_work(s.plastic_strain)) +
         0.5 * (s.viscous_force + viscous) * c.normal_velocity * c.time_step;  // leapfrog's own work: the mean of two
     s.regime = (grown_n > 0 ? 1.0 : 0.0) + (grown_s > 0 ? 2.0 : 0.0) + (plastic > s.plastic_strain ? 4.0 : 0.0) +
-               (slides ? 8.0 : 0.0);
+               (slip.slides ? 8.0 : 0.0);
     s.tension_damage = dn;
     s.shear_damage = ds;
     s.plastic_strain = plastic;

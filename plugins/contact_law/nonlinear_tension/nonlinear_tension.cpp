@@ -81,9 +81,9 @@ struct Law {
     // Without a bond: from the length at which the particles touch, unless they overlapped more when the pair was made.
     const bool spanned = c.rest_length > touching;
     const double gap = spanned ? (c.distance - touching) * inverse_touching : strain, pressed = gap < 0 ? gap : 0.0;
-    const double push = friction * kn * -pressed, trial = ks * shear;
-    const bool slides = !holds & (trial > push);
-    const double keep = slides ? push / (trial > 0 ? trial : 1.0) : 1.0, hold = holds ? 1.0 : 0.0;
+    const double push = friction * kn * -pressed;
+    const CoulombSlip slip = coulomb_slip(ks, shear, slid.x * sx + slid.y * sy + slid.z * sz, push, !holds);
+    const double keep = slip.keep, hold = holds ? 1.0 : 0.0;
     s.shear_x = keep * sx;
     s.shear_y = keep * sy;
     s.shear_z = keep * sz;
@@ -108,8 +108,7 @@ struct Law {
     const double lost_shear = 0.5 * ks * shear * shear * (1 - keep * keep);
     const double lost = c.rest_length * (kn * stretch + lost_shear) - left + 0.5 * (km * bending2 + kt * twist * twist);
     f.fracture_energy = broke ? lost : 0.0;
-    const double before = ks * (slid.x * sx + slid.y * sy + slid.z * sz);  // leapfrog's own work: the mean of two
-    f.friction_work = slides & !broke ? 0.5 * (before + push * shear) * c.rest_length * (1 - keep) : 0.0;
+    f.friction_work = broke ? 0.0 : c.rest_length * slip.work;  // springs are strains here
     return f;
   }
 
