@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 
 #include "breccia/utf8.hpp"
@@ -207,7 +210,17 @@ int dispatch(int argc, char** argv) {
 
 }  // namespace
 
+/// Threads that wait for each other sleep at once instead of spinning: beside other work a run is then never many times
+/// slower, and on an idle machine it costs nothing that can be seen (docs/performance.md). The OpenMP runtime reads
+/// this when it is loaded, which is before `main`, so the program starts itself again with it. Who has set either
+/// variable is left alone.
+void let_waiting_threads_sleep(char** argv) {
+  if (std::getenv("OMP_WAIT_POLICY") || std::getenv("GOMP_SPINCOUNT")) return;
+  if (setenv("OMP_WAIT_POLICY", "passive", 1) == 0) execv("/proc/self/exe", argv);  // comes back only when it fails
+}
+
 int main(int argc, char** argv) {
+  let_waiting_threads_sleep(argv);
   try {
     const int code = dispatch(argc, argv);
     // A reader that has seen enough (`| head`) is no error; a full disk is.

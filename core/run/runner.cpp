@@ -18,7 +18,6 @@
 #include "output/summary_table.hpp"
 #include "run/checks.hpp"
 #include "run/contact_laws.hpp"
-#include "run/contention.hpp"
 #include "run/energy_check.hpp"
 #include "run/frames.hpp"
 #include "run/loading.hpp"
@@ -145,7 +144,6 @@ class Run {
     monitor_.info(fmt::format("time step {:.4g} s ({} of the critical), {} pairs, {} thread{}", sim.time_step(),
                               w_.engine.time_step_safety, sim.state().pairs.size(), monitor_.threads(),
                               monitor_.threads() == 1 ? "" : "s"));
-    Contention contention(monitor_.threads());
     Loading loading(sim, *protocol_, {std::uint64_t(w_.sampling.every_steps), w_.sampling.load_change});
     for (;;) {
       auto start = Clock::now();
@@ -153,11 +151,6 @@ class Run {
       const LoadingStep now = loading.step(cancelled);
       loop_seconds_ += seconds_since(start);
       if (now.row) {
-        if (contention.noticed())
-          monitor_.warn(
-              "other programs use this run's cores too, and threads that wait for each other make it many times "
-              "slower: "
-              "stop it and start it with fewer --threads (the results do not depend on it)");
         sample(now.begins);
         if (now.ends || !failure_.empty()) {
           interrupted_ = cancelled && failure_.empty();
