@@ -30,7 +30,12 @@ std::optional<PluginChoice> charts(const CompareArguments& a, const Registry& re
 
 int compare(const CompareArguments& a) {
   Console console(1);
-  for (const auto& folder : a.folders) complete_results(folder, console);
+  for (const auto& folder : a.folders) {
+    complete_results(folder, console);
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "cases", none))
+      complete_results(entry.path(), console);
+  }
   const std::vector<ComparedRun> runs = read_runs(a.folders, a.labels);
   Registry registry;
   const auto made = compare_runs(runs, {a.output, a.overwrite, charts(a, registry, console)}, registry, console);

@@ -8,6 +8,7 @@
 #include "breccia/text_file.hpp"
 #include "cli/console.hpp"
 #include "cli/renderer_settings.hpp"
+#include "cli/results_table.hpp"
 #include "cli/verbs.hpp"
 #include "config/units.hpp"
 #include "output/results_folder.hpp"
@@ -119,6 +120,7 @@ int drive(const DriveArguments& a) {
   const auto files = breccia::drive(s, path, registry, results.work(), console);
   results.take_over(true);
   console.clear_bar();
+  print_results(Json::parse(read_bytes(results.path() / "summary.json")));
   for (const fs::path& file : files)
     console.info("made " + (folder / file.lexically_relative(results.work())).string());
   return ok;

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <vector>
 
 #include "run/summary_keys.hpp"
@@ -24,7 +26,17 @@ const Row usual[] = {{"youngs_modulus_Pa", "Young's modulus", "GPa", 1e-9},
                      {"brazilian_tensile_strength_Pa", "tensile strength (Brazilian)", "MPa", 1e-6},
                      {"bonds_broken_tension", "bonds broken in tension", ""},
                      {"bonds_broken_shear", "bonds broken in shear", ""},
-                     {"energy_error", "energy unaccounted for", "%", 100}};
+                     {"energy_error", "energy unaccounted for", "%", 100},
+                     // of `drive`
+                     {"least_normal_force_N", "least normal force", "N"},
+                     {"largest_normal_force_N", "largest normal force", "N"},
+                     {"least_shear_force_N", "least shear force", "N"},
+                     {"largest_shear_force_N", "largest shear force", "N"},
+                     {"work_J", "work done on the pair", "J"},
+                     {"stored_energy_J", "energy stored", "J"},
+                     {"friction_work_J", "work of friction", "J"},
+                     {"fracture_energy_J", "fracture energy", "J"},
+                     {"energy_error_J", "energy unaccounted for", "J"}};
 
 std::vector<Row> rows_of(const Json& summary, const Json& reference) {
   std::vector<Row> rows;
@@ -67,9 +79,17 @@ std::string results_table(const Json& summary) {
   }
   if (summary.contains("peak_reached") && summary["peak_reached"] == false)
     text += "The stress had not fallen from its largest value when the run ended: the peak need not be the strength.\n";
+  if (summary.value("interrupted", Json()) == true)
+    text += "The run was stopped before its end: its last values are not final.\n";
   if (const std::size_t n = summary.value("warnings", Json::array()).size(); n > 0)
     text += fmt::format("{} warning{}: see above, run.log or summary.json\n", n, n == 1 ? "" : "s");
   return text;
+}
+
+void print_results(const Json& summary) {
+  std::fputs(results_table(summary).c_str(), stdout);
+  // Before the last line, which goes to the other stream. A reader that has seen enough is no error.
+  if (std::fflush(stdout) != 0 && errno == EPIPE) std::clearerr(stdout);
 }
 
 }  // namespace breccia::cli

@@ -12,4 +12,7 @@ namespace breccia::cli {
 /// workflow has a reference for, with that and the distance from it; and how many warnings there were.
 std::string results_table(const Json& summary);
 
+/// The same on the terminal.
+void print_results(const Json& summary);
+
 }  // namespace breccia::cli

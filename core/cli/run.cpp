@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
 #include <thread>
 
 #include "cli/console.hpp"
@@ -39,9 +37,7 @@ int run(const RunArguments& a) {
     const RunOutcome outcome = run_workflow(loaded, registry, {results.work(), default_cache_folder(), whole}, console);
     if (!apart) results.take_over(outcome.failure.empty() && !outcome.summary["interrupted"].get<bool>());
     console.clear_bar();
-    std::fputs(results_table(outcome.summary).c_str(), stdout);
-    // Before the last line, which goes to the other stream. A reader that has seen enough is no error.
-    if (std::fflush(stdout) != 0 && errno == EPIPE) std::clearerr(stdout);
+    print_results(outcome.summary);
     console.info(fmt::format(
         "{} in {:.1f} s; results in {}",
         !outcome.failure.empty() ? "ended before its time"

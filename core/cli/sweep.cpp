@@ -5,11 +5,13 @@
 #include <csignal>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <thread>
 
 #include "cli/console.hpp"
 #include "cli/renderer_settings.hpp"
 #include "cli/verbs.hpp"
+#include "output/results_folder.hpp"
 #include "run/packing_cache.hpp"
 #include "run/sweep_jobs.hpp"
 #include "run/sweep_results.hpp"
@@ -20,14 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path results_folder(const SweepArguments& a, const Sweep& sweep) {
-  const fs::path folder = a.output.empty() ? fs::path("results") / sweep.study().study.name : a.output;
-  std::error_code unknown;
-  if (fs::exists(folder, unknown) && !fs::is_directory(folder, unknown))
-    throw UserError("cannot write results to " + folder.string() + ": it is a file");
-  if (fs::exists(folder, unknown) && !fs::is_empty(folder, unknown) && !fs::is_directory(folder / "cases", unknown))
-    throw UserError("the folder " + folder.string() +
-                    " holds files but no cases of a study: choose another with --output");
-  return folder;
+  return a.output.empty() ? fs::path("results") / sweep.study().study.name : a.output;
 }
 
 UserError changed(const std::string& which) {
@@ -36,28 +31,45 @@ UserError changed(const std::string& which) {
                    "Choose another folder with --output, or have them run again with --overwrite");
 }
 
+/// A case by itself goes into a new folder or one of a study. (The whole study looks after its folder itself.)
+void check_is_study(const fs::path& folder) {
+  std::error_code unknown;
+  if (!fs::exists(folder, unknown)) return;
+  if (!fs::is_directory(folder, unknown))
+    throw UserError("cannot write results to " + folder.string() + ": it is a file");
+  if (fs::is_empty(folder, unknown)) return;
+  for (const char* mark : {"cases", "breccia.json", ".breccia.lock"})
+    if (fs::exists(folder / mark, unknown)) return;
+  throw UserError("the folder " + folder.string() +
+                  " holds files but no cases of a study: choose another with --output");
+}
+
 int run_one(const SweepArguments& a, const Sweep& sweep) {
   const SweepCase& c = sweep.find(a.one);
+  check_is_study(results_folder(a, sweep));
   const fs::path folder = case_folder(results_folder(a, sweep), c);
   const ResolvedCase resolved = sweep.resolve(c);
   if (!a.expect.empty() && a.expect != resolved.hash)
     throw UserError("the study or its workflow was changed while it ran");
   Console console(a.threads);
-  CaseFolder record(folder, about_case(sweep, c, resolved), console);
-  const CaseState state = read_case(folder, resolved.hash).state;
-  if (state == CaseState::other_inputs && !a.overwrite)
-    throw changed("the finished results in " + folder.string() + " are");
-  if (state == CaseState::finished) {
-    console.info(fmt::format("case {} ({}) has finished before", c.number, c.folder));
-    return ok;
-  }
+  const auto has_finished = [&] {
+    const CaseRecord before = read_case(folder, resolved.hash, console);
+    if (before.others_there && !a.overwrite) throw changed("the finished results in " + folder.string() + " are");
+    if (before.state == CaseState::finished)
+      console.info(fmt::format("case {} ({}) has finished before", c.number, c.folder));
+    return before.state == CaseState::finished;
+  };
+  if (has_finished()) return ok;
+  CaseFolder record(folder, about_case(sweep, c, resolved), a.parent > 0, console);
+  if (has_finished()) return ok;  // while this process waited
   record.begin();
   try {
-    console.log_to(folder / "run.log");
+    console.log_to(record.work() / "run.log");
     console.info(fmt::format("breccia {}: case {} of study `{}` into {}", BRECCIA_VERSION, c.number,
                              sweep.study().study.name, folder.string()));
-    const RunOutcome outcome =
-        run_workflow(resolved.loaded, sweep.registry(c), {folder, default_cache_folder()}, console);
+    const RunOutcome outcome = run_workflow(
+        resolved.loaded, sweep.registry(c),
+        {record.work(), default_cache_folder(), [&](bool stopped) { return record.whole(stopped); }}, console);
     console.clear_bar();
     if (!outcome.failure.empty()) {
       record.failed(outcome.failure);
@@ -87,13 +99,13 @@ std::string last_line(const fs::path& file) {
 }
 
 /// Those that have not finished with these inputs.
-std::vector<const PlannedCase*> to_run(const SweepPlan& plan, const fs::path& folder, bool overwrite) {
+std::vector<const PlannedCase*> to_run(const SweepPlan& plan, const fs::path& folder, bool overwrite, Host& host) {
   std::vector<const PlannedCase*> open;
   std::vector<std::string> stale;
   for (const PlannedCase& c : plan.cases) {
-    const CaseState state = read_case(case_folder(folder, c.the), c.hash).state;
-    if (state != CaseState::finished) open.push_back(&c);
-    if (state == CaseState::other_inputs) stale.push_back(c.the.folder);
+    const CaseRecord record = read_case(case_folder(folder, c.the), c.hash, host);
+    if (record.state != CaseState::finished) open.push_back(&c);
+    if (record.others_there) stale.push_back(c.the.folder);
   }
   if (!stale.empty() && !overwrite)
     throw changed(fmt::format("{} finished case{} in {} ({}{}) {}", stale.size(), stale.size() == 1 ? "" : "s",
@@ -104,16 +116,19 @@ std::vector<const PlannedCase*> to_run(const SweepPlan& plan, const fs::path& fo
 
 class LocalRun {
  public:
-  LocalRun(const SweepArguments& a, const fs::path& folder, Console& console)
-      : a_(a), folder_(folder), console_(console) {}
+  /// `logs`: for the standard streams of the cases' processes.
+  LocalRun(const SweepArguments& a, const fs::path& folder, const fs::path& logs, Console& console)
+      : a_(a), folder_(folder), logs_(logs), console_(console) {}
+
+  /// By the folder of the case: why it failed that could not say so itself.
+  const std::map<std::string, std::string>& crashes() const { return crashes_; }
 
   void run(const std::vector<const PlannedCase*>& open) {
     std::vector<SweepJob> jobs;
     for (const PlannedCase* c : open) {
-      const fs::path place = case_folder(folder_, c->the);
       SweepJob job{{"sweep", a_.study.string(), "--case", std::to_string(c->the.number), "--output", folder_.string(),
                     "--threads", std::to_string(a_.threads), "--expect", c->hash, "--parent", std::to_string(getpid())},
-                   place / case_log};
+                   logs_ / (c->the.folder + ".log")};
       if (a_.overwrite) job.arguments.push_back("--overwrite");
       jobs.push_back(std::move(job));
     }
@@ -127,7 +142,7 @@ class LocalRun {
  private:
   void ended(const PlannedCase& c, const fs::path& log, const JobEnd& end, std::size_t count) {
     const fs::path place = case_folder(folder_, c.the);
-    CaseRecord now = read_case(place, c.hash);
+    CaseRecord now = read_case(place, c.hash, console_);
     if (now.state != CaseState::finished && now.state != CaseState::failed && !console_.cancelled()) {
       // It could not say so itself.
       const std::string said = last_line(log);
@@ -136,7 +151,10 @@ class LocalRun {
                      : fmt::format("the process ended with code {}", end.code);
       now = {CaseState::failed,
              end.signal || said.empty() ? how + (said.empty() ? "" : "; its last words: " + said) : said};
-      record_crash(place, c.hash, now.error);
+      crashes_[c.the.folder] = now.error;
+      try {
+        record_crash(place, c.hash, now.error, console_);
+      } catch (const UserError& e) { console_.warn(e.what()); }
     }
     std::error_code ignored;
     if (now.state == CaseState::finished) fs::remove(log, ignored);  // run.log has the same
@@ -146,9 +164,10 @@ class LocalRun {
   }
 
   const SweepArguments& a_;
-  const fs::path& folder_;
+  const fs::path folder_, logs_;
   Console& console_;
   std::size_t done_ = 0;
+  std::map<std::string, std::string> crashes_;
 };
 
 /// None when the study asks for none, or names no renderer and this installation has no pictures.
@@ -163,9 +182,13 @@ std::optional<PluginChoice> renderer_of(const Study& study, Host& host) {
   return {};
 }
 
-/// Returns whether all cases have finished.
-bool gather(const Sweep& sweep, const SweepPlan& plan, const fs::path& folder, Console& console) {
-  std::vector<CaseResult> results = read_results(plan, folder);
+/// Returns whether all cases have finished. `shown`: the folder as the user wrote it.
+bool gather(const Sweep& sweep, const SweepPlan& plan, ResultsFolder& home, const fs::path& shown,
+            const std::map<std::string, std::string>& crashes, Console& console) {
+  std::vector<CaseResult> results = read_results(plan, home.path(), console);
+  for (std::size_t k = 0; k < results.size(); ++k)
+    if (const auto it = crashes.find(plan.cases[k].the.folder); it != crashes.end())
+      results[k].record = {CaseState::failed, it->second};
   std::size_t finished = 0;
   std::string others;
   for (std::size_t k = 0; k < results.size(); ++k) {
@@ -176,10 +199,11 @@ bool gather(const Sweep& sweep, const SweepPlan& plan, const fs::path& folder, C
                             record.error.empty() ? "" : ": " + record.error.substr(0, record.error.find('\n')));
   }
   const SweepTable table(sweep, plan, std::move(results));
-  for (const fs::path& file :
-       write_results(sweep, plan, table, renderer_of(sweep.study().study, console), folder, console))
-    console.info("made " + file.string());
-  console.info(fmt::format("{} of {} cases finished; results in {}", finished, plan.cases.size(), folder.string()));
+  const std::vector<fs::path> made =
+      write_results(sweep, plan, table, renderer_of(sweep.study().study, console), home.work(), console);
+  home.take_over(true);
+  for (const fs::path& file : made) console.info("made " + (shown / file.lexically_relative(home.work())).string());
+  console.info(fmt::format("{} of {} cases finished; results in {}", finished, plan.cases.size(), shown.string()));
   if (!others.empty()) console.info("not finished:\n" + others.substr(0, others.size() - 1));
   return others.empty();
 }
@@ -197,11 +221,14 @@ int sweep(const SweepArguments& a) {
   }
   const fs::path folder = results_folder(a, sweep);
   Console console(1);
+  // The cases' folders are closed one by one, so that they can also be run by a workflow manager.
+  ResultsFolder home(folder, FolderRules{true, "study", {"cases.csv", "results.csv"}, "cases"}, console);
+  LocalRun local(a, home.path(), home.work() / "logs", console);
   if (!a.collect) {
-    const std::vector<const PlannedCase*> open = to_run(planned, folder, a.overwrite);
+    const std::vector<const PlannedCase*> open = to_run(planned, home.path(), a.overwrite, console);
     console.info(
         fmt::format("study `{}`: {} cases, {} to run", sweep.study().study.name, planned.cases.size(), open.size()));
-    LocalRun(a, folder, console).run(open);
+    local.run(open);
     if (console.cancelled()) {
       console.info(fmt::format(
           "stopped on request; the same command goes on where it stopped, --collect gathers what there is in {}",
@@ -209,7 +236,7 @@ int sweep(const SweepArguments& a) {
       return interrupted;
     }
   }
-  return gather(sweep, planned, folder, console) ? ok : failure;
+  return gather(sweep, planned, home, folder, local.crashes(), console) ? ok : failure;
 }
 
 }  // namespace breccia::cli

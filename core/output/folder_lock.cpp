@@ -40,8 +40,8 @@ FolderLock::FolderLock(const std::filesystem::path& folder, Host& host) : name_(
         break;
       }
       close(file_);
-      throw UserError("the folder " + folder.string() + " is in use by another run (" + holder(name_) +
-                      "); nothing was changed. Wait for it, or choose another with --output");
+      throw FolderInUse("the folder " + folder.string() + " is in use by another run (" + holder(name_) +
+                        "); nothing was changed. Wait for it, or choose another with --output");
     }
     // The one who had it may have removed the file while this process was waiting for its turn.
     struct stat mine, there;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/results_folder.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 
@@ -22,6 +23,7 @@ constexpr const char* arriving_name = ".breccia.arriving";  ///< whole results o
 /// What Breccia says it wrote into a folder.
 struct Manifest {
   bool valid = false, finished = false;
+  std::string kind = "run";
   std::set<std::string> files;  ///< relative to the folder, with '/'
 };
 
@@ -32,6 +34,7 @@ Manifest read_manifest(const fs::path& folder) {
   if (!j.is_object() || j.value("format", Json()) != format_mark) return m;
   m.valid = true;
   m.finished = j.value("finished", Json()) == true;
+  if (const Json kind = j.value("kind", Json()); kind.is_string()) m.kind = kind.get<std::string>();
   const Json files = j.value("files", Json::array());
   if (!files.is_array()) return m;
   for (const Json& name : files) {
@@ -42,9 +45,11 @@ Manifest read_manifest(const fs::path& folder) {
   return m;
 }
 
-void write_manifest(const fs::path& folder, const std::set<std::string>& files, bool finished) {
+void write_manifest(const fs::path& folder, const std::string& kind, const std::set<std::string>& files,
+                    bool finished) {
   const Json j = {{"format", format_mark},
                   {"about", "what Breccia wrote into this folder: --overwrite replaces these files and no others"},
+                  {"kind", kind},
                   {"finished", finished},
                   {"files", files}};
   write_file(folder / manifest_name, j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
@@ -113,7 +118,7 @@ UserError cannot_use(const fs::path& folder, const std::error_code& why) {
 
 }  // namespace
 
-ResultsFolder::ResultsFolder(const fs::path& folder, bool overwrite, Host& host) {
+ResultsFolder::ResultsFolder(const fs::path& folder, FolderRules rules, Host& host) : rules_(std::move(rules)) {
   try {
     folder_ = fs::weakly_canonical(fs::absolute(folder));  // whatever the current folder is or becomes
     if (!folder_.has_filename()) folder_ = folder_.parent_path();
@@ -125,7 +130,7 @@ ResultsFolder::ResultsFolder(const fs::path& folder, bool overwrite, Host& host)
     try {
       lock_ = std::make_unique<FolderLock>(folder_, host);
       if (fs::exists(folder_ / arriving_name)) finish_arrival(folder_);
-      check_place(overwrite);
+      check_place();
       replaces_ = read_manifest(folder_).finished;
       make_work();
     } catch (...) {
@@ -138,30 +143,35 @@ ResultsFolder::ResultsFolder(const fs::path& folder, bool overwrite, Host& host)
 }
 
 /// UserError when what is there must not be touched.
-void ResultsFolder::check_place(bool overwrite) const {
+void ResultsFolder::check_place() const {
   bool torso = false, others = false;
   for (const auto& entry : fs::directory_iterator(folder_)) {
     const std::string name = entry.path().filename().string();
     if (name == lock_name || name == "lost+found" || (name == growing_name && is_own_link(entry.path()))) continue;
+    if (!rules_.parts.empty() && name == rules_.parts) continue;
     (name == staging_name ? torso : others) = true;
   }
   if (!torso && !others) return;
-  if (!overwrite && others)
+  if (!rules_.overwrite && others)
     throw UserError("the folder " + folder_.string() +
                     " already holds files; nothing was changed. Choose another with --output, or allow its results to "
                     "be replaced with --overwrite");
   if (torso && !fs::is_empty(work_) && !read_manifest(work_).valid)
     throw UserError(work_.string() + " is where new results would grow, and it is not Breccia's: rename it");
-  if (!overwrite)
+  if (!rules_.overwrite)
     throw UserError("the folder " + folder_.string() + " holds what a run left that did not come to its end (in " +
                     staging_name + "); nothing was changed. Choose another with --output, or allow it to be replaced " +
                     "with --overwrite");
   if (!others) return;
   const Manifest m = read_manifest(folder_);
-  if (!m.valid)
+  const bool has_parts = !rules_.parts.empty() && fs::is_directory(folder_ / rules_.parts);
+  if (!m.valid && !has_parts)
     throw UserError("the folder " + folder_.string() + " holds files that are not known to be results of Breccia (no " +
                     manifest_name + " that lists them): nothing was changed. Choose another with --output");
-  const std::string taken = not_ours(folder_, {"curves.csv", "resolved.yaml", "run.log", "summary.json"}, m);
+  if (m.valid && m.kind != rules_.kind)
+    throw UserError("the folder " + folder_.string() + " holds the results of a " + m.kind + ", which a " +
+                    rules_.kind + " does not replace: nothing was changed. Choose another with --output");
+  const std::string taken = not_ours(folder_, {rules_.expected.begin(), rules_.expected.end()}, m);
   if (!taken.empty())
     throw UserError("new results would replace " + (folder_ / taken).string() +
                     ", which is not Breccia's: nothing was changed. Choose another folder with --output");
@@ -170,8 +180,10 @@ void ResultsFolder::check_place(bool overwrite) const {
 void ResultsFolder::make_work() {
   fs::remove_all(work_);  // what a killed run left
   fs::create_directory(work_);
-  write_manifest(work_, {}, false);
+  write_manifest(work_, rules_.kind, {}, false);
   std::error_code ignored;
+  const auto& files = rules_.expected;
+  if (std::find(files.begin(), files.end(), "curves.csv") == files.end()) return;
   if (!fs::exists(fs::symlink_status(folder_ / growing_name)))
     fs::create_symlink(fs::path(staging_name) / growing_name, folder_ / growing_name, ignored);
 }
@@ -180,7 +192,7 @@ ResultsFolder::~ResultsFolder() {
   std::error_code ignored;
   if (is_own_link(folder_ / growing_name)) fs::remove(folder_ / growing_name, ignored);
   const bool begun = fs::exists(work_ / "curves.csv", ignored) || fs::exists(work_ / growing_name, ignored);
-  if (done_ || !begun) fs::remove_all(work_, ignored);
+  if (!keep_ && (done_ || !begun)) fs::remove_all(work_, ignored);
   lock_.reset();
   for (const fs::path& p : made_folders_)
     if (!fs::remove(p, ignored)) break;  // only while they are empty
@@ -196,7 +208,7 @@ void ResultsFolder::take_over(bool finished) {
                       " is not Breccia's: it was not replaced" +
                       (done_ ? "" : ", and the new results are in " + work_.string()));
     if (done_) files.insert(before.files.begin(), before.files.end());
-    write_manifest(work_, files, finished);
+    write_manifest(work_, rules_.kind, files, finished);
     if (is_own_link(folder_ / growing_name)) fs::remove(folder_ / growing_name);
     fs::remove_all(folder_ / arriving_name);
     fs::rename(work_, folder_ / arriving_name);  // from here on these are the results
@@ -204,7 +216,7 @@ void ResultsFolder::take_over(bool finished) {
     done_ = true;
     replaces_ = false;
     fs::create_directory(work_);
-    write_manifest(work_, {}, false);
+    write_manifest(work_, rules_.kind, {}, false);
   } catch (const fs::filesystem_error& e) {
     throw UserError("cannot bring the new results to " + folder_.string() + ": " + e.code().message());
   }
@@ -217,6 +229,41 @@ void complete_results(const fs::path& folder, Host& host) {
     const FolderLock lock(folder, host);
     if (fs::exists(folder / arriving_name)) finish_arrival(folder);
   } catch (const std::exception&) {}  // a run is at it, or only its owner may write there
+}
+
+fs::path unfinished_results(const fs::path& folder) {
+  return read_manifest(folder / staging_name).valid ? folder / staging_name : fs::path();
+}
+
+namespace {
+
+std::set<std::string> names_within(const fs::path& folder, const std::vector<fs::path>& files) {
+  const fs::path whole = fs::weakly_canonical(fs::absolute(folder));
+  std::set<std::string> names;
+  for (const fs::path& file : files) {
+    const fs::path place = fs::weakly_canonical(fs::absolute(file).parent_path()) / file.filename();
+    const fs::path name = place.lexically_relative(whole);
+    if (!name.empty() && *name.begin() != "..") names.insert(name.generic_string());
+  }
+  return names;
+}
+
+}  // namespace
+
+void check_additions(const fs::path& folder, const std::vector<fs::path>& files) {
+  const Manifest m = read_manifest(folder);
+  if (!m.valid) return;
+  const std::string taken = not_ours(folder, names_within(folder, files), m);
+  if (!taken.empty())
+    throw UserError("there is a " + taken + " in " + folder.string() +
+                    " that is not Breccia's: nothing was changed. Choose another folder with --output");
+}
+
+void add_to_results(const fs::path& folder, const std::vector<fs::path>& files) {
+  Manifest m = read_manifest(folder);
+  if (!m.valid) return;
+  m.files.merge(names_within(folder, files));
+  write_manifest(folder, m.kind, m.files, m.finished);
 }
 
 }  // namespace breccia

@@ -11,11 +11,17 @@
 
 namespace breccia {
 
+/// Another process has the folder.
+struct FolderInUse : UserError {
+  using UserError::UserError;
+};
+
 /// A folder closed to other processes until this object goes. The lock is the system's, so that it ends with the
 /// process whatever ends that; the file `.breccia.lock` says who has it. Where the file system has no locks: a warning.
 class FolderLock {
  public:
-  /// The folder exists. UserError with the other's process and host when another has it, or nothing can be written.
+  /// The folder exists. FolderInUse with the other's process and host when another has it; UserError when nothing can
+  /// be written.
   FolderLock(const std::filesystem::path& folder, Host& host);
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
@@ -24,6 +30,14 @@ class FolderLock {
  private:
   std::filesystem::path name_;
   int file_ = -1;
+};
+
+/// What a results folder is for.
+struct FolderRules {
+  bool overwrite = false;    ///< earlier results of Breccia may be replaced
+  std::string kind = "run";  ///< `run`, `study` or `comparison`: none replaces one of another kind
+  std::vector<std::string> expected = {"curves.csv", "resolved.yaml", "run.log", "summary.json"};  ///< will be written
+  std::string parts = {};  ///< a folder within whose parts look after themselves (the cases of a study); not touched
 };
 
 /// Where a run leaves its results. What is there already is touched only with `overwrite`, and of that only what
@@ -37,7 +51,9 @@ class FolderLock {
 class ResultsFolder {
  public:
   /// UserError when the folder cannot be used; then nothing has been changed.
-  ResultsFolder(const std::filesystem::path& folder, bool overwrite, Host& host);
+  ResultsFolder(const std::filesystem::path& folder, FolderRules rules, Host& host);
+  ResultsFolder(const std::filesystem::path& folder, bool overwrite, Host& host)
+      : ResultsFolder(folder, FolderRules{overwrite}, host) {}
   ResultsFolder(const ResultsFolder&) = delete;
   ResultsFolder& operator=(const ResultsFolder&) = delete;
   /// Without `take_over`: if no curves were begun, all is as before; else what there is of them stays in `work`.
@@ -49,13 +65,16 @@ class ResultsFolder {
   /// brought before (pictures). `finished`: these are to survive until others have finished, too. UserError, with all
   /// left as it was, if a file of the user's would be replaced.
   void take_over(bool finished);
+  /// What is in `work` stays there, even if no curves were begun.
+  void keep_work() { keep_ = true; }
   bool replaces_finished() const { return replaces_; }  ///< earlier whole results are there, and not yet replaced
 
  private:
-  void check_place(bool overwrite) const;
+  void check_place() const;
   void make_work();
+  FolderRules rules_;
   std::filesystem::path folder_, work_;
-  bool replaces_ = false, done_ = false;
+  bool replaces_ = false, done_ = false, keep_ = false;
   std::vector<std::filesystem::path> made_folders_;
   std::unique_ptr<FolderLock> lock_;
 };
@@ -63,5 +82,13 @@ class ResultsFolder {
 /// Makes good what a kill has left half-way between old and new results; nothing if there is no such thing, or if a run
 /// is at it. For those who read a folder.
 void complete_results(const std::filesystem::path& folder, Host& host);
+
+/// Where results grow within their folder; only if Breccia made it, else empty.
+std::filesystem::path unfinished_results(const std::filesystem::path& folder);
+
+/// UserError if one of the files is there and is not Breccia's, in a folder of results. The caller has the lock.
+void check_additions(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
+/// Files that were written into a folder of results belong to these from now on. The caller has the lock.
+void add_to_results(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 
 }  // namespace breccia

@@ -22,6 +22,10 @@ fs::path plain(const fs::path& folder) {
 
 Json read_summary(const fs::path& folder) {
   const std::string name = folder.string();
+  if (fs::is_regular_file(folder) && (has_ending(folder, ".yaml") || has_ending(folder, ".yml")))
+    throw UserError(name +
+                    " is an input file; the result folder that its run or study left is needed, such as results/" +
+                    folder.stem().string());
   if (!fs::exists(folder)) throw UserError("cannot read " + name + ": no such folder");
   if (!fs::is_directory(folder)) throw UserError(name + " is a file; the result folder of a run is needed");
   const fs::path file = folder / "summary.json";
@@ -62,31 +66,26 @@ void number_repeated(std::vector<std::string>& labels) {
   });
 }
 
-void check_folder(const std::vector<ComparedRun>& runs, const ComparisonOptions& options) {
-  const fs::path& folder = options.folder;
+/// A folder of files that grow elsewhere and are told of by their places.
+fs::path place_of(const fs::path& file, const ResultsFolder& home, const fs::path& shown) {
+  return shown / file.lexically_relative(home.work());
+}
+
+void check_folder(const std::vector<ComparedRun>& runs, const fs::path& folder) {
   for (const ComparedRun& run : runs)
     if (plain(run.folder) == plain(folder))
       throw UserError("the comparison cannot go to " + folder.string() +
                       ", which is one of the runs: choose another folder "
                       "with --output");
-  if (!fs::exists(folder)) return;
-  if (!fs::is_directory(folder))
-    throw UserError("cannot write the comparison to " + folder.string() + ": it is a file");
-  if (fs::is_empty(folder)) return;
-  if (!options.overwrite)
-    throw UserError("the folder " + folder.string() +
-                    " already holds files; nothing was changed. Choose another with "
-                    "--output, or allow files of the same names to be replaced with --overwrite");
   if (fs::exists(folder / "summary.json") || fs::exists(folder / "resolved.yaml"))
     throw UserError("the folder " + folder.string() +
-                    " holds the results of a run, whose pictures would be replaced: "
-                    "choose another with --output");
+                    " holds the results of a run, which a comparison does not replace: choose another with --output");
 }
 
 std::vector<fs::path> draw(const std::vector<ComparedRun>& runs, const ComparisonOptions& options,
-                           const Registry& registry, Host& host) {
+                           const fs::path& folder, const Registry& registry, Host& host) {
   if (!options.renderer) return {};
-  ComparisonRequest request{{}, options.folder};
+  ComparisonRequest request{{}, folder};
   for (const ComparedRun& run : runs) request.runs.push_back({run.folder, run.label});
   try {
     return registry.create<Renderer>(*options.renderer)->compare(request, host);
@@ -163,30 +162,26 @@ std::vector<ComparedRun> read_runs(const std::vector<fs::path>& given, const std
 
 std::vector<fs::path> compare_runs(const std::vector<ComparedRun>& runs, const ComparisonOptions& options,
                                    const Registry& registry, Host& host) {
-  check_folder(runs, options);
+  check_folder(runs, options.folder);
+  ResultsFolder home(options.folder, FolderRules{options.overwrite, "comparison", {"comparison.csv", "comparison.md"}},
+                     host);
   for (const ComparedRun& run : runs)
     if (run.interrupted)
       host.warn("the run `" + run.label + "` was stopped before its end: its last values are not final");
-  std::error_code error;
-  const bool is_new = fs::create_directories(options.folder, error);
-  if (error) throw UserError("cannot make the folder " + options.folder.string() + ": " + error.message());
-  try {
-    const FolderLock lock(options.folder, host);
-    std::vector<fs::path> made = draw(runs, options, registry, host);
-    const auto envelope = strength_envelope(runs);
-    const std::string text = comparison_markdown(runs, made) + (envelope ? strength_markdown(*envelope) : "");
-    write_file(options.folder / "comparison.csv", comparison_csv(runs));
-    write_file(options.folder / "comparison.md", text);
-    made.insert(made.begin(), {options.folder / "comparison.csv", options.folder / "comparison.md"});
-    if (envelope) {
-      write_file(options.folder / "strength_envelope.json", json_text(*envelope, 2) + "\n");
-      made.insert(made.begin() + 2, options.folder / "strength_envelope.json");
-    }
-    return made;
-  } catch (...) {
-    if (is_new) fs::remove(options.folder, error);  // only when nothing was put into it
-    throw;
+  const fs::path& work = home.work();
+  std::vector<fs::path> made = draw(runs, options, work, registry, host);
+  const auto envelope = strength_envelope(runs);
+  const std::string text = comparison_markdown(runs, made) + (envelope ? strength_markdown(*envelope) : "");
+  write_file(work / "comparison.csv", comparison_csv(runs));
+  write_file(work / "comparison.md", text);
+  made.insert(made.begin(), {work / "comparison.csv", work / "comparison.md"});
+  if (envelope) {
+    write_file(work / "strength_envelope.json", json_text(*envelope, 2) + "\n");
+    made.insert(made.begin() + 2, work / "strength_envelope.json");
   }
+  home.take_over(true);
+  for (fs::path& file : made) file = place_of(file, home, options.folder);
+  return made;
 }
 
 }  // namespace breccia

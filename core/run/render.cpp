@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "breccia/atomic_file.hpp"
+#include "output/results_folder.hpp"
 
 namespace breccia {
 
@@ -117,11 +118,13 @@ std::vector<fs::path> render_apart(const PluginChoice& renderer, const Registry&
   } catch (const UserError& e) { throw UserError(workshop.told(e.what())); }
   for (const fs::path& file : made) places.push_back(workshop.place_of(file));
   if (!overwrite) refuse_to_replace(places, folder);
+  check_additions(folder, places);
   for (std::size_t k = 0; k < made.size(); ++k) {
     fs::create_directories(places[k].parent_path(), error);
     fs::rename(made[k], places[k], error);
     if (error) throw UserError("cannot write " + places[k].string() + ": " + error.message());
   }
+  add_to_results(folder, places);
   return places;
 }
 

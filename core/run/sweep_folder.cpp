@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/sweep_folder.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <chrono>
 #include <thread>
 
@@ -32,75 +27,60 @@ std::string text_of(const Json& j, const char* key) {
   return it != j.end() && it->is_string() ? it->get<std::string>() : "";
 }
 
-/// Removes what a run left; never anything else.
-void clean(const fs::path& folder) {
-  if (fs::is_empty(folder)) return;
-  bool is_case = true;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().filename() != case_log) is_case = false;
-  for (const char* mark : {"case.json", "run.log", "resolved.yaml"}) is_case = is_case || fs::exists(folder / mark);
-  if (!is_case) throw UserError("the folder " + folder.string() + " holds files that are not of a case: not touched");
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().filename() != case_log) fs::remove_all(entry.path());
-}
-
-/// -1 where the file system has no locks.
-int lock(const fs::path& folder, Host& host) {
-  const int file = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (file < 0) return -1;
-  for (int tries = 0; flock(file, LOCK_EX | LOCK_NB) != 0; ++tries) {
-    const bool busy = errno == EWOULDBLOCK;
-    if (!busy || tries == 300 || host.cancelled()) close(file);
-    if (!busy) return -1;
-    if (host.cancelled()) throw Cancelled();
-    if (tries == 300) throw UserError("the case in " + folder.string() + " is being run by another process");
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-  }
-  return file;
-}
-
 }  // namespace
 
 fs::path case_folder(const fs::path& results, const SweepCase& c) { return results / "cases" / c.folder; }
 
-CaseRecord read_case(const fs::path& folder, const std::string& hash) {
+CaseRecord read_case(const fs::path& folder, const std::string& hash, Host& host) {
   std::error_code unknown;
   if (!fs::exists(folder, unknown) || fs::is_empty(folder, unknown)) return {};
-  const Json about = read_json(folder / "case.json");
-  const std::string status = text_of(about, "status");
-  const bool same = text_of(about, "inputs_sha256") == hash;
-  if (status == "finished" && fs::exists(folder / "summary.json"))
-    return {same ? CaseState::finished : CaseState::other_inputs, ""};
-  if (status == "failed" && same) return {CaseState::failed, text_of(about, "error")};
+  complete_results(folder, host);
+  const Json whole = read_json(folder / case_file);
+  const bool is_finished = text_of(whole, "status") == "finished" && fs::exists(folder / "summary.json");
+  if (is_finished && text_of(whole, "inputs_sha256") == hash) return {CaseState::finished, ""};
+  // What came to no end is told of apart when finished results of other inputs are there.
+  const fs::path growing = unfinished_results(folder);
+  const Json latest = growing.empty() ? Json::object() : read_json(growing / case_file);
+  for (const Json& about : {latest, whole}) {
+    if (text_of(about, "inputs_sha256") != hash) continue;
+    if (text_of(about, "status") == "failed") return {CaseState::failed, text_of(about, "error"), is_finished};
+    return {CaseState::unfinished, "", is_finished};
+  }
+  if (is_finished) return {CaseState::other_inputs, "", true};
   return {CaseState::unfinished, ""};
 }
 
-CaseFolder::CaseFolder(const fs::path& folder, Json about, Host& host) : folder_(folder), about_(std::move(about)) {
-  try {
-    fs::create_directories(folder_);
-  } catch (const fs::filesystem_error& e) {
-    throw UserError("cannot make the folder " + folder_.string() + ": " + e.code().message());
+CaseFolder::CaseFolder(const fs::path& folder, Json about, bool wait, Host& host) : about_(std::move(about)) {
+  FolderRules rules{true};
+  rules.expected.emplace_back(case_file);
+  for (int tries = 0; !results_; ++tries) {
+    try {
+      results_.emplace(folder, rules, host);
+    } catch (const FolderInUse&) {
+      if (host.cancelled()) throw Cancelled();
+      if (!wait || tries == 300) throw;
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
   }
-  lock_ = lock(folder_, host);
 }
 
-void CaseFolder::begin() {
-  try {
-    clean(folder_);
-  } catch (const fs::filesystem_error& e) {
-    throw UserError("cannot empty the folder " + folder_.string() + ": " + e.code().message());
-  }
-  write("running");
+fs::path CaseFolder::whole(bool stopped) {
+  write(stopped ? "interrupted" : "finished", "");
+  if (stopped && results_->replaces_finished()) return results_->work();
+  results_->take_over(!stopped);
+  return results_->path();
 }
 
-CaseFolder::~CaseFolder() {
-  if (lock_ >= 0) close(lock_);
+void CaseFolder::end(const std::string& status, const std::string& error) {
+  write(status, error);
+  if (status != "finished" && results_->replaces_finished()) results_->keep_work();
+  else results_->take_over(status == "finished");
 }
 
 void CaseFolder::write(const std::string& status, const std::string& error) {
   about_["status"] = status;
   if (!error.empty()) about_["error"] = error;
-  write_file(folder_ / "case.json", json_text(about_, 2) + "\n");
+  write_file(results_->work() / case_file, json_text(about_, 2) + "\n");
 }
 
 Json about_case(const Sweep& sweep, const SweepCase& c, const ResolvedCase& resolved) {
@@ -114,12 +94,15 @@ Json about_case(const Sweep& sweep, const SweepCase& c, const ResolvedCase& reso
   return about;
 }
 
-void record_crash(const fs::path& folder, const std::string& hash, const std::string& error) {
-  Json about = read_json(folder / "case.json");
+void record_crash(const fs::path& folder, const std::string& hash, const std::string& error, Host& host) {
+  const fs::path growing = unfinished_results(folder);
+  if (growing.empty()) return;  // it had not begun, or the folder is not Breccia's
+  const FolderLock lock(folder, host);
+  Json about = read_json(growing / case_file);
   about["inputs_sha256"] = hash;
   about["status"] = "failed";
   about["error"] = error;
-  write_file(folder / "case.json", json_text(about, 2) + "\n");
+  write_file(growing / case_file, json_text(about, 2) + "\n");
 }
 
 }  // namespace breccia

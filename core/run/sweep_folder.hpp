@@ -2,7 +2,10 @@
 /// The folder of one case, and what it tells of the case.
 #pragma once
 
+#include <optional>
+
 #include "breccia/services.hpp"
+#include "output/results_folder.hpp"
 #include "run/sweep_cases.hpp"
 
 namespace breccia {
@@ -17,44 +20,46 @@ enum class CaseState {
 
 struct CaseRecord {
   CaseState state = CaseState::absent;
-  std::string error;  ///< of a failed case, whole
+  std::string error;          ///< of a failed case, whole
+  bool others_there = false;  ///< finished results of other inputs are in the folder
 };
 
 std::filesystem::path case_folder(const std::filesystem::path& results, const SweepCase& c);
 
-/// Reads case.json. Only a case whose inputs have that hash is finished or failed.
-CaseRecord read_case(const std::filesystem::path& folder, const std::string& hash);
+/// Reads case.json, that of an attempt that came to no end included. Only a case whose inputs have that hash is
+/// finished or failed.
+CaseRecord read_case(const std::filesystem::path& folder, const std::string& hash, Host& host);
 
-/// The folder of a case, made if need be and closed to other processes until this object goes.
+/// The folder of a case: its results are made, kept and closed to other processes as those of any run; case.json is one
+/// of them. Finished results are replaced by finished ones only.
 class CaseFolder {
  public:
-  /// Waits a little for a process that is about to end. UserError when the case is being run elsewhere.
-  CaseFolder(const std::filesystem::path& folder, Json about, Host& host);
-  CaseFolder(const CaseFolder&) = delete;
-  CaseFolder& operator=(const CaseFolder&) = delete;
-  ~CaseFolder();
+  /// FolderInUse when the case is being run elsewhere; `wait`: if that goes on for half a minute (a process may be
+  /// about to end whose study was killed). UserError for a folder that cannot be used.
+  CaseFolder(const std::filesystem::path& folder, Json about, bool wait, Host& host);
 
-  /// Removes what an earlier run left; from here on case.json says how the case stands (when the process is killed it
-  /// goes on saying `running`). UserError for a folder that holds anything but a case.
-  void begin();
-  void finished() { write("finished"); }
-  void failed(const std::string& error) { write("failed", error); }
-  void interrupted() { write("interrupted"); }
+  const std::filesystem::path& work() const { return results_->work(); }  ///< where files are to be written
+  /// From here on case.json says how the case stands (when the process is killed it goes on saying `running`).
+  void begin() { write("running", ""); }
+  /// For `RunOptions::whole`.
+  std::filesystem::path whole(bool stopped);
+  void finished() { end("finished", ""); }
+  void failed(const std::string& error) { end("failed", error); }
+  void interrupted() { end("interrupted", ""); }
 
  private:
-  void write(const std::string& status, const std::string& error = "");
-  std::filesystem::path folder_;
+  void end(const std::string& status, const std::string& error);
+  void write(const std::string& status, const std::string& error);
   Json about_;
-  int lock_ = -1;
+  std::optional<ResultsFolder> results_;
 };
 
 /// What case.json says of a case besides how it stands.
 Json about_case(const Sweep& sweep, const SweepCase& c, const ResolvedCase& resolved);
 
-/// Marks a case as failed whose process has died.
-void record_crash(const std::filesystem::path& folder, const std::string& hash, const std::string& error);
+/// Marks a case as failed whose process has died in the middle; nothing if it had written nothing.
+void record_crash(const std::filesystem::path& folder, const std::string& hash, const std::string& error, Host& host);
 
-/// The standard streams of a case that is run as a process of its own, within its folder.
-constexpr const char* case_log = "output.log";
+constexpr const char* case_file = "case.json";
 
 }  // namespace breccia

@@ -40,12 +40,12 @@ std::string state_text(CaseState state) {
   return {};
 }
 
-std::vector<CaseResult> read_results(const SweepPlan& plan, const fs::path& results) {
+std::vector<CaseResult> read_results(const SweepPlan& plan, const fs::path& results, Host& host) {
   std::vector<CaseResult> all;
   for (const PlannedCase& c : plan.cases) {
     const fs::path folder = case_folder(results, c.the);
     CaseResult result;
-    result.record = read_case(folder, c.hash);
+    result.record = read_case(folder, c.hash, host);
     result.summary = Json::object();
     if (result.record.state == CaseState::finished) {
       try {

@@ -14,7 +14,7 @@ struct CaseResult {
 };
 
 /// The cases as their folders have them now, in the order of the plan.
-std::vector<CaseResult> read_results(const SweepPlan& plan, const std::filesystem::path& results);
+std::vector<CaseResult> read_results(const SweepPlan& plan, const std::filesystem::path& results, Host& host);
 
 /// The table of a study. Numbers are JSON as the summaries have them; null where there is none.
 class SweepTable {

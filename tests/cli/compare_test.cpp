@@ -132,6 +132,16 @@ TEST_F(Compare, FilesAreNeverSilentlyReplaced) {
   EXPECT_NE(call("b -o a --overwrite").find("holds the results of a run"), std::string::npos);
 }
 
+TEST_F(Compare, AFileOfTheUsersIsNotReplaced) {
+  fs::create_directories(folder_ / "out");
+  write("out/comparison.md", "dear");
+  EXPECT_EQ(call("a b -o out --overwrite").substr(0, 2), "2:");
+  EXPECT_EQ(made("comparison.md"), "dear");
+  EXPECT_FALSE(fs::exists(folder_ / "out/comparison.csv"));
+  write("input.yaml", "name: input\n");
+  EXPECT_NE(call("input.yaml b -o other").find("is an input file"), std::string::npos);
+}
+
 TEST_F(Compare, WhatIsNoFinishedRunIsNamed) {
   expect_refused("a nowhere -o out", "cannot read nowhere: no such folder");
   expect_refused("a a/curves.csv -o out", "a/curves.csv is a file");

@@ -112,7 +112,8 @@ TEST_F(Sweep, GoesOnAfterAKill) {
   EXPECT_NE(r.text.find("4 cases, 2 to run"), std::string::npos) << r.text;
   EXPECT_EQ(changed(folder("0.8") / "summary.json"), before);
   EXPECT_EQ(changed(folder("0.7") / "case.json"), before2);
-  EXPECT_FALSE(fs::exists(folder("0.001") / "left.over")) << "what a killed case leaves is removed";
+  EXPECT_TRUE(fs::exists(folder("0.001") / "left.over")) << "it is not Breccia's";
+  EXPECT_FALSE(fs::exists(folder("0.001") / "unfinished")) << "what a killed case leaves is removed";
   EXPECT_FALSE(fs::exists(folder("0.001") / "curves.csv.partial"));
   for (const auto& row : results("study")) EXPECT_EQ(row.at("status"), "finished");
 }
