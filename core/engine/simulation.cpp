@@ -51,7 +51,8 @@ double Simulation::porosity() const {
 }
 
 void Simulation::prepare() {
-  critical_ = std::numeric_limits<double>::infinity();
+  critical_ = bound_ = std::numeric_limits<double>::infinity();
+  mass_pending_ = settings_.added_mass > 0;
   rebuild();
   check_stiffness(state_, laws_);
   if (!std::isfinite(critical_) && reach_ < skin_) {  // nothing touches yet: what may do so some day sets the step
@@ -59,6 +60,7 @@ void Simulation::prepare() {
     state_.positions_at_look.clear();
     look();
   }
+  mass_pending_ = false;
   if (!std::isfinite(critical_) && state_.bonds.size() > 0)
     throw UserError("contact law " + laws_.names() + " states no stiffness for any of the " +
                     std::to_string(state_.bonds.size()) + " bonds: there is none to set a time step");
@@ -101,16 +103,53 @@ void Simulation::rebuild() {
 void Simulation::look() {
   // Only new neighbours and walls can ask for a shorter step, and it only shrinks: a longer one half-way is not worth
   // the jump.
-  const std::vector<Index> changed = newly_within_reach(state_, reach_);
-  critical_ = std::min(critical_, critical_time_step(state_, laws_, incidence_, changed, reach_, settings_.threads));
+  if (mass_pending_) add_mass_for_step();
+  const bool spectral = settings_.time_step == TimeStep::spectral, all = state_.positions_at_look.empty();
+  const std::vector<Index> changed = spectral ? spectral_.changed(state_, reach_) : newly_within_reach(state_, reach_);
+  const double bound = critical_time_step(state_, laws_, incidence_, changed, reach_, settings_.threads);
+  bound_ = std::min(bound_, bound);
+  if (!spectral || !(bound_ > 0 && std::isfinite(bound_))) {
+    critical_ = std::min(critical_, bound);
+  } else {
+    const double step =
+        all ? spectral_.estimate(state_, laws_, incidence_, reach_, settings_.threads).step
+            : spectral_.look(state_, laws_, incidence_, reach_, settings_.threads, changed, bound, critical_).step;
+    critical_ = std::max(bound_, std::min(critical_, step));
+  }
   check_critical_step();
-  state_.time_step = settings_.safety * critical_;
+  state_.time_step = share_of_critical() * critical_;
   state_.positions_at_look = state_.particles.position;
   state_.moved_since_look = state_.walls_moved_since_look = 0;
 }
 
+/// Non-viscous damping turns against the velocity of the last half step, which in the fastest mode points away from
+/// rest as the force points to it: it stiffens that mode by 1 + alpha. The bound of single particles has room for that.
+double Simulation::share_of_critical() const {
+  const double alpha = std::max(settings_.damping.translational, settings_.damping.rotational);
+  if (settings_.time_step == TimeStep::bound || !(alpha > 0)) return settings_.safety;
+  return std::min(settings_.safety, 0.95 / std::sqrt(1 + alpha));
+}
+
+/// Before the first step is chosen: all that follows knows the particles with the masses they have then.
+void Simulation::add_mass_for_step() {
+  Particles& p = state_.particles;
+  std::vector<double> factors;
+  added_mass_ = add_mass(p.mass, time_step_of_each(state_, laws_, incidence_, reach_, settings_.threads),
+                         settings_.added_mass, factors);
+  for (std::size_t a = 0; a < p.size(); ++a) {
+    p.mass[a] *= factors[a];
+    p.inertia[a] *= factors[a];
+  }
+  mass_pending_ = added_mass_.particles == 0;
+}
+
 void Simulation::follow_neighbours() {
   State& s = state_;
+  if (look_at_all_) {  // what was held moves again, and may swing faster than the rest
+    look_at_all_ = false;
+    s.positions_at_look.clear();
+    look();
+  }
   // The bound adds up the fastest particle of each step; only when it says "perhaps" are the true displacements looked
   // at.
   const auto closed = [&](double& moved, double walls, const std::vector<Vec3>& from, double gap) {
@@ -357,7 +396,9 @@ void Simulation::hold(Index a, std::uint8_t mask, const Vec3& velocity, const Ve
 
 void Simulation::release(Index a, std::uint8_t mask) {
   const std::uint8_t always = state_.dimension == 2 ? dof::out_of_plane : std::uint8_t(0);
-  state_.particles.held[a] = std::uint8_t((state_.particles.held[a] & ~mask) | always);
+  const std::uint8_t held = std::uint8_t((state_.particles.held[a] & ~mask) | always);
+  look_at_all_ |= settings_.time_step == TimeStep::spectral && rebuilds_ > 0 && held != state_.particles.held[a];
+  state_.particles.held[a] = held;
 }
 
 void Simulation::set_applied_force(Index a, const Vec3& force, const Mat3& moment) {

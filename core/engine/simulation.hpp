@@ -5,17 +5,24 @@
 #include <optional>
 
 #include "breccia/protocol.hpp"
+#include "engine/added_mass.hpp"
 #include "engine/bonding.hpp"
 #include "engine/neighbours.hpp"
 #include "engine/particle_pass.hpp"
 #include "engine/partition.hpp"
+#include "engine/spectral_step.hpp"
 
 namespace breccia {
 
+/// How the critical time step is found: each particle's own bound, or the system's fastest mode.
+enum class TimeStep { bound, spectral };
+
 struct EngineSettings {
   Damping damping;
-  double safety = 0.8;  ///< share of the critical time step
-  double skin = 0.3;    ///< of the neighbour list, in mean radii
+  TimeStep time_step = TimeStep::bound;
+  double safety = 0.8;    ///< share of the critical time step
+  double skin = 0.3;      ///< of the neighbour list, in mean radii
+  double added_mass = 0;  ///< share of the total mass that may be added for a longer time step
   int threads = 1;
 };
 
@@ -45,6 +52,9 @@ class Simulation final : public LoadControl {
   const State& state() const { return state_; }
   std::uint64_t rebuilds() const { return rebuilds_; }
   double critical_step() const { return critical_; }
+  double step_over_bound() const { return critical_ / bound_; }  ///< critical step over that of single particles
+  const AddedMass& added_mass() const { return added_mass_; }
+  int mode_products() const { return spectral_.products(); }  ///< matrix-vector products that the step has cost
   bool loading_started() const { return loading_started_; }
   double porosity() const;  ///< 1 - sum of particle volumes / specimen volume
 
@@ -70,6 +80,8 @@ class Simulation final : public LoadControl {
  private:
   void rebuild();
   void look();
+  void add_mass_for_step();
+  double share_of_critical() const;
   void check_critical_step();
   void follow_neighbours();
   void record_breaks();
@@ -79,7 +91,10 @@ class Simulation final : public LoadControl {
   State state_;
   Interactions laws_;
   EngineSettings settings_;
-  double skin_ = 0, reach_ = 0, critical_ = 0;
+  double skin_ = 0, reach_ = 0, critical_ = 0, bound_ = 0;
+  SpectralStep spectral_;
+  AddedMass added_mass_;
+  bool mass_pending_ = false, look_at_all_ = false;
   Pairs spare_pairs_;  ///< of the last rebuild: its memory is used again
   Incidence incidence_;
   Partition partition_;

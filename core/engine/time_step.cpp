@@ -6,27 +6,13 @@
 #include <algorithm>
 #include <limits>
 
+#include "engine/contact_stiffness.hpp"
 #include "engine/neighbours.hpp"
-#include "engine/walls.hpp"
 
 namespace breccia {
 namespace {
 
-using Vec6 = Eigen::Matrix<double, 6, 1>;
-using Mat6 = Eigen::Matrix<double, 6, 6>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Stiffness of one end of a contact: normal n seen from the particle, lever arm along it.
-void add_contact(Mat6& k, const Vec3& n, double arm, const ContactStiffness& c) {
-  const Mat3 nn = n * n.transpose(), tangent = Mat3::Identity() - nn;
-  Mat3 cross;  // cross * v = n x v
-  cross << 0, -n.z(), n.y(), n.z(), 0, -n.x(), -n.y(), n.x(), 0;
-  // The contact point moves by u + w x (arm n) = u - arm (n x w).
-  k.topLeftCorner<3, 3>() += c.normal * nn + c.shear * tangent;
-  k.topRightCorner<3, 3>() += -c.shear * arm * cross;
-  k.bottomLeftCorner<3, 3>() += c.shear * arm * cross;
-  k.bottomRightCorner<3, 3>() += (c.shear * arm * arm + c.bending) * tangent + c.torsion * nn;
-}
 
 /// What holds one particle, over its masses: M^-1/2 K M^-1/2 [1/s2] and M^-1/2 C M^-1/2 [1/s].
 struct Restraint {
@@ -34,12 +20,6 @@ struct Restraint {
   bool damped = false;
   Mat6 at(double dt) const { return 0.5 * dt * dt * stiffness + dt * damping; }
 };
-
-/// The dt at which dt^2/2 k + dt c = 1.
-double step_of(double k, double c) {
-  const double root = c + std::sqrt(c * c + 2 * k);
-  return root > 0 ? 2 / root : infinity;
-}
 
 /// The dt at which the largest eigenvalue of `r.at(dt)` is 1.
 double step_of(const Restraint& r) {
@@ -49,28 +29,15 @@ double step_of(const Restraint& r) {
   }
   // Any one direction gives a step that is too long or right; that of the largest eigenvalue there gives the next, and
   // the error is squared each time. No eigenvalue is above the Frobenius norm.
-  double dt = step_of(r.stiffness.norm(), r.damping.norm());
+  double dt = breccia::step_of(r.stiffness.norm(), r.damping.norm());
   if (!(dt < infinity)) return infinity;
   for (int k = 0; k < 50; ++k) {
     const Vec6 y = Eigen::SelfAdjointEigenSolver<Mat6>(r.at(dt)).eigenvectors().col(5);
-    const double next = step_of(y.dot(r.stiffness * y), y.dot(r.damping * y));
+    const double next = breccia::step_of(y.dot(r.stiffness * y), y.dot(r.damping * y));
     if (k > 0 && !(next < dt * (1 - 1e-12))) break;
     dt = next;
   }
   return dt;
-}
-
-/// Whether a pair of the list could exert a force before its ends have moved by `reach` in all, from where they are in
-/// `position`. A pair that was bonded once feels its partner from the bond's length on.
-bool within_reach(const State& s, std::size_t pair, const std::vector<Vec3>& position, double reach) {
-  if (s.pairs.state[pair] == BondState::intact) return true;
-  const Index i = s.pairs.i[pair], j = s.pairs.j[pair];
-  const double length = std::max(s.particles.radius[i] + s.particles.radius[j], s.pairs.rest_length[pair]);
-  return (position[j] - position[i]).norm() < length + reach;
-}
-
-bool within_reach(const State& s, const WallTouch& t, double reach) {
-  return facing(s.walls[t.wall], s.particles.position[t.particle]).distance - s.particles.radius[t.particle] <= reach;
 }
 
 class Restraints {
@@ -96,27 +63,22 @@ class Restraints {
       const std::size_t q = in_.entry[e] >> 1;
       const bool second = in_.entry[e] & 1;
       const Index i = s_.pairs.i[q], j = s_.pairs.j[q];
-      const Vec3 branch = p.position[j] - p.position[i];
-      const double d = branch.norm(), half_gap = 0.5 * (d - p.radius[i] - p.radius[j]);
-      if (d <= 0 || !within_reach(s_, q, p.position, reach_)) continue;
+      if ((p.position[j] - p.position[i]).norm() <= 0 || !within_reach(s_, q, p.position, reach_)) continue;
       PairBatch one = batch_;
       one.begin = q;
       one.end = q + 1;
       ContactStiffness c;
       law_.stiffness(one, &c);
-      const Vec3 n = branch / (second ? -d : d);
-      add_contact(r.stiffness, n, p.radius[a] + half_gap, c);
+      const ContactEnd end = end_of(s_, q, second, c);
+      add_contact(r.stiffness, end);
       if (c.damping > 0 || c.shear_damping > 0) {
-        add_contact(r.damping, n, p.radius[a] + half_gap, {c.damping, c.shear_damping, 0, 0});
+        add_contact(r.damping, dashpot_of(end));
         r.damped = true;
       }
     }
-    for (Index t = touch_start_[a]; t < touch_start_[a + 1]; ++t) {
-      if (!within_reach(s_, s_.wall_touches[touch_[t]], reach_)) continue;
-      const Wall& w = s_.walls[s_.wall_touches[touch_[t]].wall];
-      add_contact(r.stiffness, -facing(w, p.position[a]).normal, p.radius[a],
-                  {w.normal_stiffness, w.friction > 0 ? w.shear_stiffness : 0, 0, 0});
-    }
+    for (Index t = touch_start_[a]; t < touch_start_[a + 1]; ++t)
+      if (const WallTouch& touch = s_.wall_touches[touch_[t]]; within_reach(s_, touch, reach_))
+        add_contact(r.stiffness, end_of(s_, touch));
     Vec6 scale;
     const double m = 1 / std::sqrt(p.mass[a]), turn = 1 / std::sqrt(p.inertia[a]);
     scale << m, m, m, turn, turn, turn;
@@ -166,15 +128,31 @@ double critical_time_step(State& s, const Interactions& law, const Incidence& in
   return least;
 }
 
-std::vector<Index> newly_within_reach(const State& s, double reach) {
+std::vector<double> time_step_of_each(State& s, const Interactions& law, const Incidence& incidence, double reach,
+                                      int threads) {
+  const Restraints restraints(s, law, incidence, reach);
+  std::vector<double> steps(s.particles.size());
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (std::size_t a = 0; a < steps.size(); ++a) {
+    const Restraint r = restraints.of(Index(a));
+    steps[a] = r.stiffness.allFinite() && r.damping.allFinite() ? step_of(r) : 0;
+  }
+  return steps;
+}
+
+std::vector<Index> newly_within_reach(const State& s, double reach, const std::vector<WallTouch>* known) {
   const auto& now = s.particles.position;
   const auto& then = s.positions_at_look;
   std::vector<std::uint8_t> is_new(now.size(), 0);
   for (std::size_t k = 0; k < s.pairs.size(); ++k)
     if (within_reach(s, k, now, reach) && (then.empty() || !within_reach(s, k, then, reach)))
       is_new[s.pairs.i[k]] = is_new[s.pairs.j[k]] = 1;
+  const auto before = [](const WallTouch& a, const WallTouch& b) {
+    return a.wall != b.wall ? a.wall < b.wall : a.particle < b.particle;
+  };
   for (const WallTouch& t : s.wall_touches)
-    if (within_reach(s, t, reach)) is_new[t.particle] = 1;
+    if (within_reach(s, t, reach) && !(known && std::binary_search(known->begin(), known->end(), t, before)))
+      is_new[t.particle] = 1;
   std::vector<Index> particles;
   for (Index a = 0; a < now.size(); ++a)
     if (is_new[a]) particles.push_back(a);

@@ -22,8 +22,13 @@ namespace breccia {
 double critical_time_step(State& state, const Interactions& law, const Incidence& incidence,
                           const std::vector<Index>& particles, double reach, int threads);
 
+/// The same of each particle by itself [s].
+std::vector<double> time_step_of_each(State& state, const Interactions& law, const Incidence& incidence, double reach,
+                                      int threads);
+
 /// The particles that have come within `reach` [m] of a neighbour or a wall since `positions_at_look`, ascending: they
-/// may ask for a shorter time step. All that have any when nobody has looked yet.
-std::vector<Index> newly_within_reach(const State& state, double reach);
+/// may ask for a shorter time step. All that have any when nobody has looked yet. Walls move: those that touch one
+/// count each time, but for the touches that are `known` (sorted by wall and particle).
+std::vector<Index> newly_within_reach(const State& state, double reach, const std::vector<WallTouch>* known = nullptr);
 
 }  // namespace breccia

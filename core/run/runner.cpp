@@ -75,7 +75,9 @@ class Run {
     report_packing();
     EngineSettings settings;
     settings.damping = {w_.damping.translational, w_.damping.rotational};
+    settings.time_step = w_.engine.time_step;
     settings.safety = w_.engine.time_step_safety;
+    settings.added_mass = w_.engine.added_mass;
     settings.skin = w_.engine.skin;
     settings.threads = monitor_.threads();
     simulation_ = std::make_unique<Simulation>(
@@ -141,9 +143,14 @@ class Run {
 
   void loop() {
     Simulation& sim = *simulation_;
-    monitor_.info(fmt::format("time step {:.4g} s ({} of the critical), {} pairs, {} thread{}", sim.time_step(),
-                              w_.engine.time_step_safety, sim.state().pairs.size(), monitor_.threads(),
-                              monitor_.threads() == 1 ? "" : "s"));
+    report_added_mass();
+    const bool spectral = w_.engine.time_step == TimeStep::spectral;
+    monitor_.info(fmt::format(
+        "time step {:.4g} s ({:.3g} of the critical, {}), {} pairs, {} thread{}", sim.time_step(),
+        sim.time_step() / sim.critical_step(),
+        spectral ? fmt::format("of the fastest mode: {:.2f} times the bound of single particles", sim.step_over_bound())
+                 : "the bound of single particles",
+        sim.state().pairs.size(), monitor_.threads(), monitor_.threads() == 1 ? "" : "s"));
     Loading loading(sim, *protocol_, {std::uint64_t(w_.sampling.every_steps), w_.sampling.load_change});
     for (;;) {
       auto start = Clock::now();
@@ -165,6 +172,14 @@ class Run {
     frames_->at(sim.view(), true);
     frames_->finish();
     curves_.close();
+  }
+
+  void report_added_mass() {
+    if (w_.engine.added_mass <= 0) return;
+    const AddedMass& added = simulation_->added_mass();
+    monitor_.info(
+        fmt::format("added mass: {:.4g} % of the total, to {} of {} particles, at most {:.4g} times their own",
+                    100 * added.share, added.particles, simulation_->state().particles.size(), added.largest_factor));
   }
 
   void sample(bool begins) {
@@ -217,6 +232,15 @@ class Run {
     summary_.set("threads", monitor_.threads());
     summary_.set("steps", view.step);
     summary_.set("time_step_s", view.time_step);
+    summary_.set("time_step_from", w_.engine.time_step == TimeStep::spectral ? "spectral" : "bound");
+    summary_.set("critical_time_step_s", sim.critical_step());
+    summary_.set("time_step_over_bound", sim.step_over_bound());
+    if (w_.engine.time_step == TimeStep::spectral) summary_.set("time_step_products", sim.mode_products());
+    if (w_.engine.added_mass > 0) {
+      summary_.set("added_mass_share", sim.added_mass().share);
+      summary_.set("added_mass_particles", sim.added_mass().particles);
+      summary_.set("added_mass_largest_factor", sim.added_mass().largest_factor);
+    }
     summary_.set("simulated_time_s", view.time);
     summary_.set("particles", n);
     summary_.set("bonds", bonds);

@@ -75,11 +75,27 @@ void DampingConfig::describe(Schema<DampingConfig>& s) {
 }
 
 void EngineConfig::describe(Schema<EngineConfig>& s) {
+  s.param("time_step", &EngineConfig::time_step)
+      .choice("spectral", TimeStep::spectral,
+              "of the fastest mode of all particles, contacts and walls together: the longest stable one")
+      .choice("bound", TimeStep::bound,
+              "of the stiffest single particle with its neighbours held: shorter, needs no estimate")
+      .fallback("spectral")
+      .doc("how the critical time step is found, from the linearised stiffness of the contacts");
   s.param("time_step_safety", &EngineConfig::time_step_safety)
       .above(0)
       .at_most(1)
       .fallback(0.8)
-      .doc("time step as a share of the critical one, which comes from the particles' linearised stiffness");
+      .doc(
+          "time step as a share of the critical one; with `spectral` and non-viscous damping alpha at most "
+          "0.95/sqrt(1 + alpha), since damping stiffens the fastest mode");
+  s.param("added_mass", &EngineConfig::added_mass)
+      .at_least(0)
+      .at_most(0.1)
+      .fallback(0.0)
+      .doc(
+          "selective mass scaling, for quasi-static tests only: this share of the total mass is added to the particles "
+          "that ask for the shortest time step");
   s.param("skin", &EngineConfig::skin)
       .above(0)
       .at_most(2)

@@ -7,6 +7,7 @@
 #include "breccia/schema.hpp"
 #include "config/base_chain.hpp"
 #include "engine/bonding.hpp"
+#include "engine/simulation.hpp"
 #include "plugin/registry.hpp"
 
 namespace breccia {
@@ -34,7 +35,8 @@ struct DampingConfig {
 };
 
 struct EngineConfig {
-  double time_step_safety, skin, energy_error_warning, energy_error_limit;
+  TimeStep time_step;
+  double time_step_safety, added_mass, skin, energy_error_warning, energy_error_limit;
   static void describe(Schema<EngineConfig>& s);
 };
 
