@@ -12,6 +12,7 @@
 #include "output/curve_table.hpp"
 #include "output/summary_table.hpp"
 #include "run/energy_check.hpp"
+#include "run/guarded_law.hpp"
 #include "run/warning_log.hpp"
 
 namespace breccia {
@@ -24,6 +25,7 @@ class InSpecimen final : public ContactLaw {
       : law_(law), porosity_(porosity), coordination_number_(coordination_number) {}
   std::vector<ColumnDoc> columns() const override { return law_.columns(); }
   bool has_moments() const override { return law_.has_moments(); }
+  bool respects_protection() const override { return law_.respects_protection(); }
   void prepare(const Assembly& pair) override {
     Assembly a = pair;
     a.porosity = porosity_;
@@ -54,16 +56,21 @@ class Drive {
         registry_(registry),
         folder_(folder),
         host_(host),
-        law_(registry.create<ContactLaw>(s.law)),
-        told_(*law_, s.porosity, s.coordination_number),
+        law_(registry.create<ContactLaw>(s.law), s.law.type),
+        told_(law_, s.porosity, s.coordination_number),
         start_(s.radius_i + s.radius_j + s.gap) {}
 
   std::vector<std::filesystem::path> operator()() {
     check();
-    build();
+    law_.within([&] { build(); });
     add_columns();
     curves_.open(folder_ / "curves.csv");
-    follow();
+    try {
+      law_.within([&] { follow(); });
+    } catch (const PluginFault&) {  // the rows before it show where the law failed
+      curves_.close();
+      throw;
+    }
     curves_.close();
     const auto off = energy_error();
     write_summary();  // whole before the charts
@@ -167,7 +174,7 @@ class Drive {
                           {"energy_error", "J", ""}};
     for (const Column& c : own) curves_.add(c);
     history_ = curves_.columns().size();
-    for (const ContactLaw::ColumnDoc& c : law_->columns()) {
+    for (const ContactLaw::ColumnDoc& c : law_.columns()) {
       const bool taken = std::any_of(std::begin(own), std::end(own), [&](const Column& o) { return o.name == c.name; });
       curves_.add({(taken ? "history_" : "") + c.name, c.unit, ""});
     }
@@ -175,7 +182,7 @@ class Drive {
 
   void follow() {
     Simulation& sim = *simulation_;
-    sim.forces();
+    law_.within([&] { sim.forces(); });
     sim.mark_start_of_loading();
     last_ = loads();
     record();
@@ -208,8 +215,10 @@ class Drive {
     sim.hold(0, dof::all, Vec3::Zero(), Vec3(-0.5 * twist, 0, roll_i) / dt);
     sim.hold(1, dof::all, Vec3(way, 0, 0) / dt, Vec3(0.5 * twist, 0, roll_j) / dt);
     const BondState before = sim.state().pairs.state[0];
-    sim.advance();
-    sim.forces();
+    law_.within([&] {
+      sim.advance();
+      sim.forces();
+    });
     const Loads load = loads();
     if (sim.state().pairs.state[0] != before)  // where in the increment the force fell nobody knows
       unsure_ += 0.5 * (std::abs((load.normal - last_.normal) * (next.normal - now_.normal)) +
@@ -287,7 +296,7 @@ class Drive {
                        {"porosity", s_.porosity},
                        {"coordination_number", s_.coordination_number}});
     t.set("contact_law", Json{{s_.law.type, s_.law.config}});
-    if (const Json derived = law_->derived(); !derived.empty()) t.set("derived", derived);
+    if (const Json derived = law_.derived(); !derived.empty()) t.set("derived", derived);
     t.update("warnings", host_.warnings());
     t.write(folder_);
   }
@@ -295,7 +304,10 @@ class Drive {
   std::vector<std::filesystem::path> draw() {
     if (!s_.renderer) return {};
     try {
-      return registry_.create<Renderer>(*s_.renderer)->compare({{{folder_, s_.law.type}}, folder_}, host_);
+      const auto renderer = registry_.create<Renderer>(*s_.renderer);
+      return calling({Renderer::kind, s_.renderer->type}, "drawing", [&] {
+        return renderer->compare({{{folder_, s_.law.type}}, folder_}, host_);
+      });
     } catch (const Unavailable& e) { return without_charts(e); } catch (const UserError& e) {
       return without_charts(e);
     }
@@ -311,7 +323,7 @@ class Drive {
   const Registry& registry_;
   const std::filesystem::path& folder_;
   WarningLog<Host> host_;
-  std::unique_ptr<ContactLaw> law_;
+  GuardedLaw law_;
   InSpecimen told_;
   double start_;  ///< distance of the centres [m]
   std::unique_ptr<Simulation> simulation_;

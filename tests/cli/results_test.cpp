@@ -269,6 +269,9 @@ TEST_F(Results, AskedToStopARunEndsWithWholeFiles) {
   }
   const Result r = call("run small.yaml --output t --set protocol.platen_velocity='0.00005 m/s'", "timeout 2");
   EXPECT_EQ(r.code, 124) << r.text;
+  EXPECT_NE(r.text.find("measured\n"), std::string::npos) << "the table of what there is\n" << r.text;
+  EXPECT_NE(r.text.find("The run was stopped before its end: its last values are not final.\n"), std::string::npos)
+      << r.text;
   expect_whole("t");
 }
 
