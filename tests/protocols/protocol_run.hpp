@@ -63,7 +63,7 @@ class ProtocolRun {
  public:
   ProtocolRun(const PackedParticles& packing, const Json& law, const std::string& law_name, double tolerance,
               const std::string& protocol, const Json& config, int dimension = 3, int threads = 1) {
-    law_ = make_law(law, law_name);
+    law_ = std::make_unique<GuardedLaw>(make_law(law, law_name), law_name);
     EngineSettings settings;
     settings.damping = {0.5, 0.5};
     settings.threads = threads;
@@ -77,7 +77,8 @@ class ProtocolRun {
   /// To the protocol's end; fails when it takes more steps. `watch` sees each sample.
   template <class Watch>
   void go(int most_steps, Watch&& watch, int every = 20, double load_change = 0) {
-    Loading loading(*simulation_, *protocol_, {std::uint64_t(every), load_change});
+    Loading loading(*simulation_, *law_, *protocol_, {Protocol::kind, "under test"},
+                    {std::uint64_t(every), load_change});
     for (int k = 0; k < most_steps; ++k) {
       const LoadingStep now = loading.step();
       if (now.row) {
@@ -105,7 +106,7 @@ class ProtocolRun {
 
  private:
   QuietHost host_;
-  std::unique_ptr<ContactLaw> law_;
+  std::unique_ptr<GuardedLaw> law_;
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<Protocol> protocol_;
 };
