@@ -8,6 +8,7 @@
 
 #include "breccia/error.hpp"
 #include "cli/verbs.hpp"
+#include "config/listed_plugin.hpp"
 #include "config/suggest.hpp"
 #include "run/sweep_study.hpp"
 #include "run/workflow.hpp"
@@ -24,6 +25,13 @@ bool is_shipped(const PluginInfo& info) {
       return info.version == BRECCIA_VERSION;
   }
   return false;
+}
+
+/// Whether workflows have a list of such plugins.
+bool is_listed(const std::string& kind) {
+  const auto& sections = workflow_schema().members;
+  return std::any_of(sections.begin(), sections.end(),
+                     [&](const ParamSpec& s) { return s.type == ParamType::plugin_list && s.plugin_kind == kind; });
 }
 
 /// KIND/NAME, or a name that one kind alone has.
@@ -87,6 +95,7 @@ int describe(const std::string& plugin, const std::string& format) {
     if (std::find(kinds.begin(), kinds.end(), plugin) != kinds.end()) return describe_kind(registry, plugin, format);
     std::tie(kind, name) = plugin_named(registry, plugin);
     doc = registry.documentation(kind, name);
+    if (is_listed(kind)) doc.root = as_listed(doc.root);
     const PluginInfo& info = registry.info(kind, name);
     if (!is_shipped(info)) {
       origin = "file: " + info.file.string() + "\nversion: " + info.version + "\n";

@@ -14,14 +14,16 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Those that the run's own workflow had if it used this renderer; else the defaults with --set on top.
-PluginChoice settings(const RenderArguments& a, Registry& registry) {
+std::vector<PluginChoice> settings(const RenderArguments& a, Registry& registry) {
   const fs::path resolved = a.source / "resolved.yaml";
   if (fs::is_directory(a.source) && fs::exists(resolved)) {
     const LoadedWorkflow loaded = load_workflow(resolved, {}, registry);
+    std::vector<PluginChoice> own;
     for (const PluginChoice& r : loaded.workflow.renderers)
-      if (r.type == a.renderer && a.overrides.empty()) return r;
+      if (r.type == a.renderer && a.overrides.empty()) own.push_back(r);
+    if (!own.empty()) return own;
   }
-  return renderer_settings(a.renderer, a.overrides, registry);
+  return {renderer_settings(a.renderer, a.overrides, registry)};
 }
 
 }  // namespace
@@ -34,10 +36,10 @@ int render(const RenderArguments& a) {
   const fs::path folder = !a.output.empty()            ? a.output
                           : fs::is_directory(a.source) ? a.source
                                                        : fs::absolute(a.source).parent_path();
-  const PluginChoice choice = settings(a, registry);
+  const std::vector<PluginChoice> choices = settings(a, registry);
   std::optional<FolderLock> lock;  // a folder that is yet to be made has no run in it
   if (fs::is_directory(folder)) lock.emplace(folder, console);
-  const auto made = render_apart(choice, registry, {a.source, folder}, a.overwrite, console);
+  const auto made = render_apart(choices, registry, {a.source, folder}, a.overwrite, console);
   for (const fs::path& file : made) console.info("picture " + file.string());
   return made.empty() ? failure : ok;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "config/describe.hpp"
+#include "config/listed_plugin.hpp"
 #include "config/shorthand.hpp"
 #include "config/to_yaml.hpp"
 #include "config/units.hpp"
@@ -161,7 +162,7 @@ class SchemaWriter {
       case ParamType::plugin:
         return plugin(spec, extent);
       case ParamType::plugin_list:
-        return list(plugin(spec, Extent::whole), spec);
+        return list(plugin(spec, Extent::whole, true), spec);
       case ParamType::plugin_stack: {
         Json one = plugin(spec, extent);
         Json several = list(plugin(spec, Extent::whole), spec.as_given(true));
@@ -220,14 +221,14 @@ class SchemaWriter {
     return {{"anyOf", any}};
   }
 
-  Json plugin(const ParamSpec& spec, Extent extent) const {
+  Json plugin(const ParamSpec& spec, Extent extent, bool in_list = false) const {
     Json known = Json::array(), sections = Json::array();
     for (const std::string& name : plugins_.names(spec.plugin_kind)) {
       Json one = {{"const", name}}, section = {{"type", "object"}};
       try {
         const Documentation& doc = plugins_.documentation(spec.plugin_kind, name);
         one["description"] = doc.summary;
-        add_members(section, doc.root, extent, name);
+        add_members(section, in_list ? as_listed(doc.root) : doc.root, extent, name);
       } catch (const UserError&) {
         // It does not load on this machine; that is told where it is used.
       }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "config/listed_plugin.hpp"
 #include "config/section_reader.hpp"
 #include "config/shorthand.hpp"
 #include "config/suggest.hpp"
@@ -36,7 +37,7 @@ Json SectionReader::read(const ParamSpec& spec, const YamlNode& node, const Site
     case ParamType::group:
       return check_mapping(node, site, spec) ? read_members(spec, node, site) : Json();
     case ParamType::plugin:
-      return check_mapping(node, site, spec) ? read_plugin(spec, node, site) : Json();
+      return check_mapping(node, site, spec) ? read_plugin(spec, node, site, In::section) : Json();
     case ParamType::free_form:
       return check_mapping(node, site, spec) ? plain_json(node) : Json();
     case ParamType::quantity_list:
@@ -189,11 +190,16 @@ Json SectionReader::read_list(const ParamSpec& spec, const YamlNode& node, const
   item.required = true;
   const ParamSpec* const only_key = shorthand_member(spec);
   Json all = Json::array();
+  std::vector<Site> sites;
   for (std::size_t k = 0; k < count; ++k) {
     const YamlPtr& given = node.items[k];
     const Site item_site{item_path(site.path, k), given->place};
-    all.push_back(read(item, only_key ? *written_out(*only_key, given) : *given, item_site));
+    sites.push_back(item_site);
+    if (spec.type == ParamType::plugin_list && given->kind == YamlNode::Kind::mapping)
+      all.push_back(read_plugin(item, *given, item_site, In::list));
+    else all.push_back(read(item, only_key ? *written_out(*only_key, given) : *given, item_site));
   }
+  if (spec.type == ParamType::plugin_list) check_twins(spec, all, sites);
   return all;
 }
 
@@ -235,13 +241,15 @@ Json SectionReader::read_plugin_type(const ParamSpec& spec, const YamlNode& node
   return value.text;
 }
 
-Json SectionReader::read_plugin(const ParamSpec& spec, const YamlNode& node, const Site& site) {
+Json SectionReader::read_plugin(const ParamSpec& spec, const YamlNode& node, const Site& site, In where) {
   const Json name = read_plugin_type(spec, node, site);
   if (name.is_null()) return nullptr;
   const std::size_t before = findings_.size();
   Json config;
   try {
-    config = read_members(plugins_.documentation(spec.plugin_kind, name).root, node, site, "type");
+    const ParamSpec& root = plugins_.documentation(spec.plugin_kind, name).root;
+    config = read_members(where == In::list ? as_listed(root) : root, node, site, "type");
+    if (where == In::list && takes_name(root)) check_name(node, config, site);
     if (findings_.size() == before) add_issues(plugins_.check(spec.plugin_kind, name, config), node, site);
   } catch (const UserError& error) {
     report(node.find("type")->value->place, member_path(site.path, "type"), error.what());

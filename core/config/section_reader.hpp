@@ -37,7 +37,8 @@ class SectionReader {
   // reader_sections.cpp
   Json read_list(const ParamSpec& spec, const YamlNode& node, const Site& site);
   static YamlPtr written_out(const ParamSpec& only_key, const YamlPtr& item);
-  Json read_plugin(const ParamSpec& spec, const YamlNode& node, const Site& site);
+  enum class In { section, list };
+  Json read_plugin(const ParamSpec& spec, const YamlNode& node, const Site& site, In where);
   Json read_plugin_type(const ParamSpec& spec, const YamlNode& node, const Site& site);
   bool check_mapping(const YamlNode& node, const Site& site, const ParamSpec& spec);
   void check_known(const ParamSpec& group, const YamlNode& node, const Site& site, std::string_view own_key,
@@ -46,6 +47,9 @@ class SectionReader {
                           const std::set<std::string>& meant);
   bool is_decided_otherwise(const ParamSpec& group, const std::string& member, const YamlNode& node) const;
   void report_missing(const ParamSpec& member, const Site& site);
+  // reader_names.cpp
+  void check_name(const YamlNode& plugin, const Json& section, const Site& site);
+  void check_twins(const ParamSpec& list, const Json& all, const std::vector<Site>& sites);
   // reader_values.cpp
   Json read_scalar(const ParamSpec& spec, const YamlNode& node, const Site& site);
   Json read_quantity_value(const ParamSpec& spec, const YamlNode& node, const Site& site);

@@ -7,6 +7,8 @@
 
 #include <boost/dll/shared_library.hpp>
 
+#include "plugin/guarded.hpp"
+
 namespace breccia {
 
 namespace {
@@ -49,19 +51,8 @@ const BrecciaPluginDescriptor& load(const std::filesystem::path& file) {
 
 template <class F>
 decltype(auto) PluginLibrary::call(const char* doing, F&& f) const {
-  const auto failed = [&](const char* why) {
-    return UserError(fmt::format("{} `{}` failed while {}: {} (plugin {})", info_.key.kind, info_.key.name, doing, why,
-                                 info_.file.string()));
-  };
-  try {
-    return f();
-  } catch (const UserError& e) {  // already written for the user
-    throw UserError(fmt::format("{} `{}`: {}", info_.key.kind, info_.key.name, e.what()));
-  } catch (const Unavailable&) { throw; } catch (const Cancelled&) {
-    throw;
-  } catch (const std::exception& e) { throw failed(e.what()); } catch (...) {
-    throw failed("it threw something that is not an exception");
-  }
+  const std::string file = info_.file.string();
+  return calling({info_.key.kind, info_.key.name, {}, file}, doing, std::forward<F>(f));
 }
 
 PluginLibrary::PluginLibrary(const std::filesystem::path& file, const std::optional<PluginKey>& expected)

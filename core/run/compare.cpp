@@ -7,6 +7,7 @@
 #include "breccia/text_file.hpp"
 #include "output/atomic_file.hpp"
 #include "output/results_folder.hpp"
+#include "plugin/guarded.hpp"
 
 namespace breccia {
 
@@ -88,7 +89,9 @@ std::vector<fs::path> draw(const std::vector<ComparedRun>& runs, const Compariso
   ComparisonRequest request{{}, folder};
   for (const ComparedRun& run : runs) request.runs.push_back({run.folder, run.label});
   try {
-    return registry.create<Renderer>(*options.renderer)->compare(request, host);
+    const auto renderer = registry.create<Renderer>(*options.renderer);
+    return calling({Renderer::kind, options.renderer->type}, "drawing",
+                   [&] { return renderer->compare(request, host); });
   } catch (const Unavailable& e) {
     host.warn("no charts by renderer `" + options.renderer->type + "`: " + e.what());
     return {};

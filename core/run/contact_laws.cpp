@@ -9,7 +9,7 @@ ContactLaws::ContactLaws(const Registry& registry, const PluginStack& choices) {
   for (const PluginChoice& c : choices.plugins) {
     if (std::find(names_.begin(), names_.end(), c.type) != names_.end())
       throw UserError("contact_law: `" + c.type + "` stands twice in the list: its parameters can only have one value");
-    laws_.push_back(registry.create<ContactLaw>(c));
+    laws_.push_back(std::make_unique<GuardedLaw>(registry.create<ContactLaw>(c), c.type));
     names_.push_back(c.type);
   }
   (void)interactions();  // what it refuses is said here
@@ -19,6 +19,10 @@ Interactions ContactLaws::interactions() const {
   std::vector<NamedLaw> named;
   for (std::size_t k = 0; k < laws_.size(); ++k) named.push_back({laws_[k].get(), names_[k]});
   return Interactions(std::move(named));
+}
+
+bool ContactLaws::has_failed() const {
+  return std::any_of(laws_.begin(), laws_.end(), [](const auto& law) { return law->has_failed(); });
 }
 
 std::string ContactLaws::column_name(std::size_t law, const std::string& column) const {

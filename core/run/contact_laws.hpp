@@ -7,6 +7,7 @@
 
 #include "engine/interactions.hpp"
 #include "plugin/registry.hpp"
+#include "run/guarded_law.hpp"
 
 namespace breccia {
 
@@ -16,14 +17,33 @@ class ContactLaws {
   ContactLaws(const Registry& registry, const PluginStack& choices);
 
   Interactions interactions() const;  ///< for as long as this lives
-  const std::vector<std::unique_ptr<ContactLaw>>& laws() const { return laws_; }
+  ContactLaw& law(std::size_t k) const { return *laws_[k]; }
   const std::string& name(std::size_t law) const { return names_[law]; }
   std::size_t size() const { return laws_.size(); }
+
+  /// Around calls of the engine: what a law threw within comes out. It goes before what the engine makes of the numbers
+  /// that the law did not give.
+  template <class F>
+  void within(F&& engine) {
+    try {
+      engine();
+    } catch (...) {
+      check();
+      throw;
+    }
+    check();
+  }
+  bool has_failed() const;
+
   /// Name of a column of history: that of the law alone, and behind the law's name where there are several.
   std::string column_name(std::size_t law, const std::string& column) const;
 
  private:
-  std::vector<std::unique_ptr<ContactLaw>> laws_;
+  void check() {
+    for (auto& law : laws_) law->check();
+  }
+
+  std::vector<std::unique_ptr<GuardedLaw>> laws_;
   std::vector<std::string> names_;
 };
 

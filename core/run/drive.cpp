@@ -37,10 +37,15 @@ class Drive {
 
   std::vector<std::filesystem::path> operator()() {
     check();
-    build();
+    laws_.within([&] { build(); });
     add_columns();
     curves_.open(folder_ / "curves.csv");
-    follow();
+    try {
+      laws_.within([&] { follow(); });
+    } catch (const PluginFault&) {  // the rows before it show where the law failed
+      curves_.close();
+      throw;
+    }
     curves_.close();
     const auto off = energy_error();
     write_summary();  // whole before the charts
@@ -145,7 +150,7 @@ class Drive {
     for (const Column& c : own) curves_.add(c);
     history_ = curves_.columns().size();
     for (std::size_t l = 0; l < laws_.size(); ++l)
-      for (const ContactLaw::ColumnDoc& c : laws_.laws()[l]->columns()) {
+      for (const ContactLaw::ColumnDoc& c : laws_.law(l).columns()) {
         const std::string name = laws_.column_name(l, c.name);
         const bool taken = std::any_of(std::begin(own), std::end(own), [&](const Column& o) { return o.name == name; });
         curves_.add({(taken ? "history_" : "") + name, c.unit, ""});
@@ -154,7 +159,7 @@ class Drive {
 
   void follow() {
     Simulation& sim = *simulation_;
-    sim.forces();
+    laws_.within([&] { sim.forces(); });
     sim.mark_start_of_loading();
     last_ = loads();
     record();
@@ -187,8 +192,10 @@ class Drive {
     sim.hold(0, dof::all, Vec3::Zero(), Vec3(-0.5 * twist, 0, roll_i) / dt);
     sim.hold(1, dof::all, Vec3(way, 0, 0) / dt, Vec3(0.5 * twist, 0, roll_j) / dt);
     const BondState before = sim.state().pairs.state[0];
-    sim.advance();
-    sim.forces();
+    laws_.within([&] {
+      sim.advance();
+      sim.forces();
+    });
     const Loads load = loads();
     if (sim.state().pairs.state[0] != before)  // where in the increment the force fell nobody knows
       unsure_ += 0.5 * (std::abs((load.normal - last_.normal) * (next.normal - now_.normal)) +
@@ -268,7 +275,7 @@ class Drive {
     Json given = Json::object(), derived = Json::object();
     for (std::size_t l = 0; l < laws_.size(); ++l) {
       given[laws_.name(l)] = s_.law.plugins[l].config;
-      if (const Json own = laws_.laws()[l]->derived(); !own.empty()) derived.update(own);
+      if (const Json own = laws_.law(l).derived(); !own.empty()) derived.update(own);
     }
     t.set("contact_law", given);
     if (!derived.empty()) t.set("derived", derived);
@@ -279,7 +286,10 @@ class Drive {
   std::vector<std::filesystem::path> draw() {
     if (!s_.renderer) return {};
     try {
-      return registry_.create<Renderer>(*s_.renderer)->compare({{{folder_, s_.law.names()}}, folder_}, host_);
+      const auto renderer = registry_.create<Renderer>(*s_.renderer);
+      return calling({Renderer::kind, s_.renderer->type}, "drawing", [&] {
+        return renderer->compare({{{folder_, s_.law.names()}}, folder_}, host_);
+      });
     } catch (const Unavailable& e) { return without_charts(e); } catch (const UserError& e) {
       return without_charts(e);
     }

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "breccia/atomic_file.hpp"
+
 namespace breccia {
 
 double next_due(double now, double interval) {
@@ -13,33 +15,52 @@ double next_due(double now, double interval) {
   return std::isfinite(count) && next > now ? next : now;
 }
 
-Frames::Frames(std::vector<std::unique_ptr<Output>> outputs,
-               const std::vector<std::unique_ptr<Postprocessor>>& postprocessors)
+Frames::Frames(std::vector<Listed<Output>> outputs, std::vector<Listed<Postprocessor>>& postprocessors)
     : postprocessors_(postprocessors) {
   for (auto& o : outputs) outputs_.push_back({std::move(o)});
 }
 
 void Frames::begin(const std::filesystem::path& folder, Host& host) {
-  for (Scheduled& s : outputs_) s.output->begin(folder, host);
+  for (Scheduled& s : outputs_) {
+    std::filesystem::path own = folder;
+    if (s.output.is_named()) {
+      own /= s.output.label();
+      std::error_code error;
+      std::filesystem::create_directories(own, error);
+      if (error) throw CannotWrite(own, error.value());
+    }
+    s.output.call("beginning its files", [&](Output& o) { o.begin(own, host); });
+  }
 }
 
 void Frames::at(const SimulationView& view, bool forced) {
   std::vector<Field> fields;
   bool have_fields = false;
   for (Scheduled& s : outputs_) {
-    if (s.last == view.time || (!forced && view.time < s.next)) continue;
-    if (!have_fields) {
-      for (const auto& p : postprocessors_) p->fields(view, fields);
-      have_fields = true;
-    }
-    s.output->frame(view, fields);
+    if (s.output.has_failed() || s.last == view.time || (!forced && view.time < s.next)) continue;
+    if (!have_fields) add_fields(view, fields);
+    have_fields = true;
+    s.output.call("writing a frame", [&](Output& o) {
+      o.frame(view, fields);
+      s.interval = o.interval();
+    });
     s.last = view.time;
-    s.next = next_due(view.time, s.output->interval());
+    s.next = next_due(view.time, s.interval);
+  }
+}
+
+void Frames::add_fields(const SimulationView& view, std::vector<Field>& fields) {
+  for (auto& p : postprocessors_) {
+    if (p.has_failed()) continue;
+    const std::size_t first = fields.size();
+    p.call("giving fields", [&](Postprocessor& q) { q.fields(view, fields); });
+    for (std::size_t k = first; k < fields.size(); ++k) fields[k].name = p.prefix() + fields[k].name;
   }
 }
 
 void Frames::finish() {
-  for (Scheduled& s : outputs_) s.output->finish();
+  for (Scheduled& s : outputs_)
+    if (!s.output.has_failed()) s.output.call("ending its files", [](Output& o) { o.finish(); });
 }
 
 }  // namespace breccia

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "breccia/output.hpp"
-#include "breccia/postprocessor.hpp"
+#include "run/listed.hpp"
 
 namespace breccia {
 
@@ -16,21 +16,23 @@ double next_due(double now, double interval);
 
 class Frames {
  public:
-  Frames(std::vector<std::unique_ptr<Output>> outputs,
-         const std::vector<std::unique_ptr<Postprocessor>>& postprocessors);
+  Frames(std::vector<Listed<Output>> outputs, std::vector<Listed<Postprocessor>>& postprocessors);
+  /// Each writes into the folder, a named one into a folder of its own within.
   void begin(const std::filesystem::path& folder, Host& host);
   /// Writes the outputs whose time has come; all of them when `forced` (first and last state).
   void at(const SimulationView& view, bool forced);
-  void finish();
+  void finish();  ///< of all but those that have failed
 
  private:
+  void add_fields(const SimulationView& view, std::vector<Field>& fields);
   struct Scheduled {
-    std::unique_ptr<Output> output;
-    double next = 0;   ///< [s]
-    double last = -1;  ///< time of the last frame [s]
+    Listed<Output> output;
+    double interval = 0;  ///< [s]
+    double next = 0;      ///< [s]
+    double last = -1;     ///< time of the last frame [s]
   };
   std::vector<Scheduled> outputs_;
-  const std::vector<std::unique_ptr<Postprocessor>>& postprocessors_;
+  std::vector<Listed<Postprocessor>>& postprocessors_;
 };
 
 }  // namespace breccia

@@ -12,14 +12,18 @@ LoadingStep Loading::step(bool last) {
   now.ends = end_ || last;
   now.row = row_ || now.ends || step % sampling_.every_steps == 0;
   const bool was_loading = simulation_.loading_started();
-  protocol_.step(simulation_);
-  simulation_.forces(now.row || look_);
-  const Progress progress = protocol_.decide(simulation_);
+  calling(id_, "moving what loads the specimen", [&] { protocol_.step(simulation_); });
+  laws_.within([&] { simulation_.forces(now.row || look_); });
+  Progress progress = Progress::running;
+  calling(id_, "deciding how the test goes on", [&] {
+    progress = protocol_.decide(simulation_);
+    load_ = protocol_.load();
+    load_scale_ = protocol_.load_scale();
+  });
   now.begins = !was_loading && simulation_.loading_started();
   now.row = now.row || now.begins;
   end_ = progress == Progress::finished;
   look_ = progress == Progress::look;
-  load_ = protocol_.load();
   peak_ = std::max(peak_, load_);
   if (now.row && simulation_.loading_started()) {
     load_of_row_ = load_;
@@ -36,7 +40,7 @@ bool Loading::load_calls_for_row() const {
   constexpr double of_a_maximum = 1.0 / 10;  // how much finer it is looked at than the way there
   if (sampling_.load_change <= 0 || !simulation_.loading_started()) return false;
   if (simulation_.state().step - step_of_row_ < apart) return false;
-  const double change = sampling_.load_change * std::max(peak_, protocol_.load_scale());
+  const double change = sampling_.load_change * std::max(peak_, load_scale_);
   const double fine = of_a_maximum * change;
   return std::abs(load_ - load_of_row_) >= change || (peak_ - peak_of_rows_ >= 2 * fine && load_ <= peak_ - fine);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/simulation.hpp"
+#include "run/contact_laws.hpp"
 
 namespace breccia {
 
@@ -21,8 +22,8 @@ struct LoadingStep {
 /// The protocol decides after every step; what is measured, and how often, has no part in it.
 class Loading {
  public:
-  Loading(Simulation& simulation, Protocol& protocol, const Sampling& sampling)
-      : simulation_(simulation), protocol_(protocol), sampling_(sampling) {}
+  Loading(Simulation& simulation, ContactLaws& laws, Protocol& protocol, const PluginId& id, const Sampling& sampling)
+      : simulation_(simulation), laws_(laws), protocol_(protocol), id_(id), sampling_(sampling) {}
 
   /// Forces and decision of a step. `last`: it is the last one, whatever the protocol says.
   LoadingStep step(bool last = false);
@@ -35,10 +36,13 @@ class Loading {
   bool load_calls_for_row() const;
 
   Simulation& simulation_;
+  ContactLaws& laws_;
   Protocol& protocol_;
+  PluginId id_;  ///< of the protocol
   Sampling sampling_;
   bool look_ = true, row_ = true, end_ = false;  ///< of the step to come
   double load_ = 0, load_of_row_ = 0, peak_ = 0, peak_of_rows_ = 0;
+  double load_scale_ = 0;
   std::uint64_t step_of_row_ = 0;
 };
 

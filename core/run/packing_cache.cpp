@@ -13,6 +13,7 @@
 
 #include "breccia/text_file.hpp"
 #include "output/atomic_file.hpp"
+#include "plugin/guarded.hpp"
 #include "plugin/sha256.hpp"
 #include "run/warning_log.hpp"
 
@@ -174,7 +175,9 @@ PackingOutcome obtain_packing(const Registry& registry, const PluginChoice& choi
               {"seed", request.seed},
               {"dimension", request.dimension},
               {"thickness", request.thickness}};
-  for (const fs::path& input : packing->inputs()) key["inputs"].push_back(hash_text(read_bytes(input)));
+  const PluginId id{Packing::kind, choice.type};
+  for (const fs::path& input : calling(id, "naming its files", [&] { return packing->inputs(); }))
+    key["inputs"].push_back(hash_text(read_bytes(input)));
   const fs::path file =
       cache_folder.empty() ? fs::path() : cache_folder / "packings" / (hash_text(key_text(key)) + ".cbor");
   PackingOutcome outcome;
@@ -193,7 +196,7 @@ PackingOutcome obtain_packing(const Registry& registry, const PluginChoice& choi
   }
   if (!outcome.from_cache) {
     WarningLog<Host> log(host);
-    outcome.particles = packing->generate(request, log);
+    calling(id, "making the packing", [&] { outcome.particles = packing->generate(request, log); });
     if (!file.empty() && !outcome.particles.position.empty())
       write_cached(file, outcome.particles, log.warnings(), host);
   }

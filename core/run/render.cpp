@@ -6,6 +6,7 @@
 
 #include "breccia/atomic_file.hpp"
 #include "output/results_folder.hpp"
+#include "run/listed.hpp"
 
 namespace breccia {
 
@@ -84,16 +85,37 @@ void refuse_to_replace(const std::vector<fs::path>& places, const fs::path& fold
 
 }  // namespace
 
+namespace {
+
+/// Those of a named renderer go into a folder of its own.
+void draw(const PluginChoice& choice, const Registry& registry, const RenderRequest& request, Host& host,
+          std::vector<fs::path>& made) {
+  Listed<Renderer> renderer(choice, registry);
+  RenderRequest own = request;
+  EmptyFolder left_over;
+  if (renderer.is_named()) {
+    own.directory /= renderer.label();
+    std::error_code error;
+    if (fs::create_directories(own.directory, error)) left_over.folder = own.directory;
+    if (error) throw CannotWrite(own.directory, error.value());
+  }
+  const auto files = renderer.call("drawing", [&](Renderer& r) { return r.render(own, host); });
+  made.insert(made.end(), files.begin(), files.end());
+}
+
+std::string without_pictures(const PluginChoice& choice, const std::exception& e) {
+  return "no pictures by renderer `" + result_label(choice) + "`: " + e.what();
+}
+
+}  // namespace
+
 std::vector<fs::path> render_all(const std::vector<PluginChoice>& renderers, const Registry& registry,
                                  const RenderRequest& request, Host& host) {
   std::vector<fs::path> made;
   for (const PluginChoice& choice : renderers) {
-    const auto warn = [&](const std::exception& e) {
-      host.warn("no pictures by renderer `" + choice.type + "`: " + e.what());
-    };
+    const auto warn = [&](const std::exception& e) { host.warn(without_pictures(choice, e)); };
     try {
-      const auto files = registry.create<Renderer>(choice)->render(request, host);
-      made.insert(made.end(), files.begin(), files.end());
+      draw(choice, registry, request, host, made);
     } catch (const Unavailable& e) { warn(e); } catch (const UserError& e) {
       warn(e);
     }
@@ -101,8 +123,8 @@ std::vector<fs::path> render_all(const std::vector<PluginChoice>& renderers, con
   return made;
 }
 
-std::vector<fs::path> render_apart(const PluginChoice& renderer, const Registry& registry, const RenderRequest& request,
-                                   bool overwrite, Host& host) {
+std::vector<fs::path> render_apart(const std::vector<PluginChoice>& renderers, const Registry& registry,
+                                   const RenderRequest& request, bool overwrite, Host& host) {
   const fs::path& folder = request.directory;
   std::error_code error;
   const bool is_new = fs::create_directories(folder, error);
@@ -111,11 +133,11 @@ std::vector<fs::path> render_apart(const PluginChoice& renderer, const Registry&
   const Workshop workshop(folder);
   WorkshopHost within(workshop, host);
   std::vector<fs::path> made, places;
-  try {
-    made = registry.create<Renderer>(renderer)->render({request.source, workshop.path()}, within);
-  } catch (const Unavailable& e) {
-    within.warn("no pictures by renderer `" + renderer.type + "`: " + e.what());
-  } catch (const UserError& e) { throw UserError(workshop.told(e.what())); }
+  for (const PluginChoice& choice : renderers) try {
+      draw(choice, registry, {request.source, workshop.path()}, within, made);
+    } catch (const Unavailable& e) { within.warn(without_pictures(choice, e)); } catch (const UserError& e) {
+      throw UserError(workshop.told(e.what()));
+    }
   for (const fs::path& file : made) places.push_back(workshop.place_of(file));
   if (!overwrite) refuse_to_replace(places, folder);
   check_additions(folder, places);

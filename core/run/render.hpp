@@ -15,7 +15,7 @@ std::vector<std::filesystem::path> render_all(const std::vector<PluginChoice>& r
 /// Pictures that are all that is asked for. They are drawn into a folder of their own within `request.directory`, which
 /// is made if need be, and take their places when all are made. UserError when that would replace a file and
 /// `overwrite` does not allow it, or when the disk refuses: then all is as before. None when this machine cannot draw.
-std::vector<std::filesystem::path> render_apart(const PluginChoice& renderer, const Registry& registry,
+std::vector<std::filesystem::path> render_apart(const std::vector<PluginChoice>& renderers, const Registry& registry,
                                                 const RenderRequest& request, bool overwrite, Host& host);
 
 }  // namespace breccia

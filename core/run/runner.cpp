@@ -20,6 +20,7 @@
 #include "run/contact_laws.hpp"
 #include "run/energy_check.hpp"
 #include "run/frames.hpp"
+#include "run/listed.hpp"
 #include "run/loading.hpp"
 #include "run/packing_cache.hpp"
 #include "run/render.hpp"
@@ -62,9 +63,9 @@ class Run {
   void create_plugins() {
     laws_.emplace(registry_, w_.contact_law);
     protocol_ = registry_.create<Protocol>(w_.protocol);
-    std::vector<std::unique_ptr<Output>> outputs;
-    for (const PluginChoice& c : w_.postprocessors) posts_.push_back(registry_.create<Postprocessor>(c));
-    for (const PluginChoice& c : w_.outputs) outputs.push_back(registry_.create<Output>(c));
+    std::vector<Listed<Output>> outputs;
+    for (const PluginChoice& c : w_.postprocessors) posts_.emplace_back(c, registry_);
+    for (const PluginChoice& c : w_.outputs) outputs.emplace_back(c, registry_);
     frames_ = std::make_unique<Frames>(std::move(outputs), posts_);
   }
 
@@ -80,9 +81,11 @@ class Run {
     settings.added_mass = w_.engine.added_mass;
     settings.skin = w_.engine.skin;
     settings.threads = monitor_.threads();
-    simulation_ = std::make_unique<Simulation>(
-        assemble(packing_.particles, {w_.material.density}, dimension, w_.thickness), laws_->interactions(), settings);
-    bonding_ = simulation_->bond(w_.bonding.rule());
+    laws_->within([&] {
+      simulation_ = std::make_unique<Simulation>(
+          assemble(packing_.particles, {w_.material.density}, dimension, w_.thickness), laws_->interactions(), settings);
+      bonding_ = simulation_->bond(w_.bonding.rule());
+    });
     const bool relative = bonding_.measure == GapMeasure::relative;
     monitor_.info(fmt::format(
         "{} bonds: coordination number {:.4f}, {}", simulation_->state().bonds.size(), bonding_.coordination_number,
@@ -90,12 +93,19 @@ class Run {
     time_column_ = curves_.add({"time", "s", "since the first step"});
     const SimulationView view = simulation_->view();
     check_specimen(view, packing_porosity(), monitor_);
-    protocol_->setup(view, *simulation_, curves_, monitor_);
-    for (auto& p : posts_) p->begin(view, curves_, monitor_);
+    laws_->within([&] {
+      calling(protocol_id(), "setting up the test", [&] { protocol_->setup(view, *simulation_, curves_, monitor_); });
+    });
+    for (auto& p : posts_) {
+      NamedRecorder recorder(curves_, p.prefix());
+      p.call("adding its curves", [&](Postprocessor& q) { q.begin(view, recorder, monitor_); });
+    }
     for (auto& p : posts_)
-      for (const std::string& name : p->needed_curves()) (void)curves_.column(name);
+      p.call("naming the curves it needs", [&](Postprocessor& q) {
+        for (const std::string& name : q.needed_curves()) (void)NamedCurves(curves_, p.prefix()).column(name);
+      });
     frames_->begin(options_.folder, monitor_);
-    simulation_->prepare();
+    laws_->within([&] { simulation_->prepare(); });
     curves_.open(options_.folder / "curves.csv");
   }
 
@@ -151,26 +161,32 @@ class Run {
         spectral ? fmt::format("of the fastest mode: {:.2f} times the bound of single particles", sim.step_over_bound())
                  : "the bound of single particles",
         sim.state().pairs.size(), monitor_.threads(), monitor_.threads() == 1 ? "" : "s"));
-    Loading loading(sim, *protocol_, {std::uint64_t(w_.sampling.every_steps), w_.sampling.load_change});
-    for (;;) {
-      auto start = Clock::now();
-      const bool cancelled = monitor_.cancelled();
-      const LoadingStep now = loading.step(cancelled);
-      loop_seconds_ += seconds_since(start);
-      if (now.row) {
-        sample(now.begins);
-        if (now.ends || !failure_.empty()) {
-          interrupted_ = cancelled && failure_.empty();
-          break;
+    Loading loading(sim, *laws_, *protocol_, protocol_id(),
+                    {std::uint64_t(w_.sampling.every_steps), w_.sampling.load_change});
+    try {
+      for (;;) {
+        auto start = Clock::now();
+        const bool cancelled = monitor_.cancelled();
+        in_row_ = false;
+        const LoadingStep now = loading.step(cancelled);
+        loop_seconds_ += seconds_since(start);
+        if (now.row) {
+          in_row_ = true;
+          laws_->within([&] { sample(now.begins); });
+          if (now.ends || !failure_.empty()) {
+            interrupted_ = cancelled && failure_.empty();
+            break;
+          }
         }
+        start = Clock::now();
+        laws_->within([&] { sim.advance(); });
+        loop_seconds_ += seconds_since(start);
       }
-      start = Clock::now();
-      sim.advance();
-      loop_seconds_ += seconds_since(start);
-    }
-    warn_of_missed_peak(loading);
-    frames_->at(sim.view(), true);
-    frames_->finish();
+      warn_of_missed_peak(loading);
+    } catch (const PluginFault& e) { fail(e); }
+    viewable_ = complete_step();
+    if (viewable_) attempt([&] { frames_->at(sim.view(), true); });
+    attempt([&] { frames_->finish(); });
     curves_.close();
   }
 
@@ -182,26 +198,52 @@ class Run {
                     100 * added.share, added.particles, simulation_->state().particles.size(), added.largest_factor));
   }
 
+  /// What was measured so far is kept, and says so.
+  void fail(const UserError& e) {
+    if (failure_.empty()) failure_ = e.what();
+    monitor_.warn(e.what());
+  }
+  template <class F>
+  void attempt(F&& f) {
+    try {
+      f();
+    } catch (const PluginFault& e) { fail(e); }
+  }
+
+  /// Whether there is a state to be viewed; after a plugin's fault in the middle of a step it takes one more, unless
+  /// the law has failed.
+  bool complete_step() {
+    if (in_row_ && !laws_->has_failed()) return true;
+    try {
+      laws_->within([&] {
+        if (laws_->has_failed()) return;
+        if (simulation_->forces_known()) simulation_->advance();
+        simulation_->forces();
+      });
+    } catch (const UserError& e) { fail(e); }
+    return !laws_->has_failed() && simulation_->forces_known();
+  }
+
   void sample(bool begins) {
     Simulation& sim = *simulation_;
-    const SimulationView view = sim.view();
+    SimulationView view;
+    laws_->within([&] { view = sim.view(); });  // a row without the law's energy would be wrong
     if (sim.loading_started()) {
       curves_.set(time_column_, sim.time());
-      protocol_->sample(view, curves_);
+      calling(protocol_id(), "measuring", [&] { protocol_->sample(view, curves_); });
       if (begins)
-        for (auto& p : posts_) p->start_of_loading(view);
+        for (auto& p : posts_) p.call("beginning to measure", [&](Postprocessor& q) { q.start_of_loading(view); });
       if (!energy_check_) energy_check_.emplace(energy_limits(), w_.contact_law.names("` and `"));
       try {
         energy_check_->sample(view.energy, view.step, monitor_);
-      } catch (const UserError& e) {  // what was measured so far is kept, and says so
-        failure_ = e.what();
-        monitor_.warn(failure_);
-      }
-      for (auto& p : posts_) p->sample(view, curves_);
+      } catch (const UserError& e) { fail(e); }
+      for (auto& p : posts_) p.call("measuring", [&](Postprocessor& q) { q.sample(view, curves_); });
       curves_.end_row();
       frames_->at(view, begins);
     }
-    monitor_.status({protocol_->share_done(), view.step, view.time, sim.broken_bonds(), protocol_->status()});
+    calling(protocol_id(), "telling how far it is", [&] {
+      monitor_.status({protocol_->share_done(), view.step, view.time, sim.broken_bonds(), protocol_->status()});
+    });
   }
 
   /// Whatever is read off the curves is read off their rows.
@@ -222,16 +264,15 @@ class Run {
   }
 
   void finish() {
-    Simulation& sim = *simulation_;
-    const SimulationView view = sim.view();
-    if (energy_check_) energy_check_->finish(view.energy, view.step, monitor_);
-    const std::size_t n = view.particles.size(), bonds = view.bonds.size();
+    const Simulation& sim = *simulation_;
+    const State& state = sim.state();
+    const std::size_t n = state.particles.size(), bonds = state.bonds.size();
     summary_.set("workflow", w_.name);
     summary_.set("interrupted", interrupted_);
     summary_.set("seed", w_.seed);
     summary_.set("threads", monitor_.threads());
-    summary_.set("steps", view.step);
-    summary_.set("time_step_s", view.time_step);
+    summary_.set("steps", state.step);
+    summary_.set("time_step_s", state.time_step);
     summary_.set("time_step_from", w_.engine.time_step == TimeStep::spectral ? "spectral" : "bound");
     summary_.set("critical_time_step_s", sim.critical_step());
     summary_.set("time_step_over_bound", sim.step_over_bound());
@@ -241,31 +282,17 @@ class Run {
       summary_.set("added_mass_particles", sim.added_mass().particles);
       summary_.set("added_mass_largest_factor", sim.added_mass().largest_factor);
     }
-    summary_.set("simulated_time_s", view.time);
+    summary_.set("simulated_time_s", state.time);
     summary_.set("particles", n);
     summary_.set("bonds", bonds);
     summary_.set("porosity", packing_porosity());
     summary_.set("coordination_number", bonding_.coordination_number);
     summary_.set(bonding_.measure == GapMeasure::relative ? "bond_tolerance" : "bond_gap_m", bonding_.limit);
     summary_.set("ns_per_bond_step",
-                 view.step && bonds ? Json(1e9 * loop_seconds_ / double(view.step) / double(bonds)) : Json());
+                 state.step && bonds ? Json(1e9 * loop_seconds_ / double(state.step) / double(bonds)) : Json());
     summary_.set("neighbour_list_rebuilds", sim.rebuilds());
-    for (std::size_t l = 0; l < laws_->size(); ++l) {
-      SummaryTable::Section section(summary_, laws_->name(l));
-      const Json derived = laws_->laws()[l]->derived();
-      for (const auto& [key, value] : derived.items()) section.own(key, value);
-      if (laws_->size() == 1) continue;  // of one law the ledger says the same
-      const Dissipated& lost = sim.state().dissipated[l];
-      section.own("friction_J", lost.friction);
-      section.own("contact_J", lost.contact);
-      section.own("fracture_J", lost.fracture);
-    }
-    SummaryTable::Section protocol(summary_, w_.protocol.type);
-    protocol_->finish(view, curves_, protocol);
-    for (std::size_t k = 0; k < posts_.size(); ++k) {
-      SummaryTable::Section section(summary_, w_.postprocessors[k].type);
-      posts_[k]->finish(view, curves_, section);
-    }
+    attempt([&] { sum_up_laws(); });
+    if (viewable_) finish_plugins(simulation_->view());
     for (const AskedGot& line : packing_.particles.report) {
       Json entry = {{"unit", line.unit}, {"got", line.got}};
       if (line.asked) entry["asked"] = *line.asked;
@@ -273,6 +300,34 @@ class Run {
     }
     summary_.set("reference", w_.reference);
   }
+
+  void sum_up_laws() {
+    for (std::size_t l = 0; l < laws_->size(); ++l) {
+      SummaryTable::Section section(summary_, laws_->name(l));
+      const Json derived = laws_->law(l).derived();
+      for (const auto& [key, value] : derived.items()) section.own(key, value);
+      if (laws_->size() == 1) continue;  // of one law the ledger says the same
+      const Dissipated& lost = simulation_->state().dissipated[l];
+      section.own("friction_J", lost.friction);
+      section.own("contact_J", lost.contact);
+      section.own("fracture_J", lost.fracture);
+    }
+  }
+
+  /// Those that have failed have nothing to say.
+  void finish_plugins(const SimulationView& view) {
+    if (energy_check_) energy_check_->finish(view.energy, view.step, monitor_);
+    SummaryTable::Section protocol(summary_, w_.protocol.type);
+    attempt([&] { calling(protocol_id(), "summing up", [&] { protocol_->finish(view, curves_, protocol); }); });
+    for (auto& p : posts_) {
+      if (p.has_failed()) continue;
+      NamedSummary section(summary_, p);
+      const NamedCurves curves(curves_, p.prefix());
+      attempt([&] { p.call("summing up", [&](Postprocessor& q) { q.finish(view, curves, section); }); });
+    }
+  }
+
+  PluginId protocol_id() const { return {Protocol::kind, w_.protocol.type}; }
 
   /// The summary as it stands; what grows until the end of the run is set anew.
   void write_summary(double wall_seconds) {
@@ -307,7 +362,7 @@ class Run {
   RunLog monitor_;
   std::optional<ContactLaws> laws_;
   std::unique_ptr<Protocol> protocol_;
-  std::vector<std::unique_ptr<Postprocessor>> posts_;
+  std::vector<Listed<Postprocessor>> posts_;
   std::unique_ptr<Frames> frames_;
   PackingOutcome packing_;
   BondingResult bonding_;
@@ -318,6 +373,7 @@ class Run {
   std::size_t time_column_ = 0;
   double loop_seconds_ = 0;
   bool interrupted_ = false;
+  bool in_row_ = false, viewable_ = true;  ///< the present step is a row; there is a state to be viewed
   std::string failure_;
 };
 

@@ -6,6 +6,7 @@
 #include "breccia/text_file.hpp"
 #include "config/suggest.hpp"
 #include "output/atomic_file.hpp"
+#include "plugin/guarded.hpp"
 #include "run/summary_keys.hpp"
 
 namespace breccia {
@@ -225,7 +226,8 @@ void draw(const SweepTable& table, const Study& study, const PluginChoice& choic
       try {
         StudyChart chart = table.chart(config);
         chart.file = folder / chart.file;
-        const auto files = renderer->chart(chart, host);
+        const auto files =
+            calling({Renderer::kind, choice.type}, "drawing", [&] { return renderer->chart(chart, host); });
         made.insert(made.end(), files.begin(), files.end());
       } catch (const CannotWrite&) { throw; } catch (const UserError& e) {
         host.warn("chart `" + config.file_name() + "` was not drawn: " + e.what());

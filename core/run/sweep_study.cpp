@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "config/reader.hpp"
+#include "config/result_name.hpp"
 #include "config/suggest.hpp"
-#include "run/result_name.hpp"
 
 namespace breccia {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/workflow.hpp"
 
-#include <fmt/format.h>
-
 #include "breccia/contact_law.hpp"
 #include "breccia/output.hpp"
 #include "breccia/packing.hpp"
@@ -11,9 +9,10 @@
 #include "breccia/renderer.hpp"
 #include "breccia/utf8.hpp"
 #include "config/reader.hpp"
+#include "config/result_name.hpp"
+#include "plugin/guarded.hpp"
 #include "run/contact_laws.hpp"
 #include "run/plugin_section.hpp"
-#include "run/result_name.hpp"
 
 namespace breccia {
 
@@ -200,7 +199,9 @@ namespace {
 
 /// What only making the plugins can tell.
 void try_plugins(const Workflow& w, const Registry& registry) {
-  for (const fs::path& input : registry.create<Packing>(w.packing)->inputs())
+  const auto packing = registry.create<Packing>(w.packing);
+  for (const fs::path& input :
+       calling({Packing::kind, w.packing.type}, "naming its files", [&] { return packing->inputs(); }))
     if (!fs::is_regular_file(input))
       throw UserError("packing " + w.packing.type + ": cannot read " + input.string() + ": no such file");
   ContactLaws(registry, w.contact_law);
@@ -231,22 +232,6 @@ void check_name(const std::string& name, const BaseChain& chain, const std::vect
   throw ConfigError({problem});
 }
 
-/// Two of one kind in a list would write the same curves, summary section, files or pictures over each other.
-void refuse_twins(const Workflow& w, const fs::path& file) {
-  const auto check = [&](const char* list, const std::vector<PluginChoice>& all) {
-    for (std::size_t k = 0; k < all.size(); ++k)
-      for (std::size_t first = 0; first < k; ++first)
-        if (all[first].type == all[k].type)
-          throw UserError(fmt::format(
-              "{}: {}[{}]: a second `{}` (the first is {}[{}]): both would write the same curves, files or pictures; "
-              "keep one of them",
-              file.string(), list, k, all[k].type, list, first));
-  };
-  check("postprocessors", w.postprocessors);
-  check("outputs", w.outputs);
-  check("renderers", w.renderers);
-}
-
 LoadedWorkflow loaded_from(Json config, const BaseChain& chain, const Registry& registry,
                            const std::vector<std::string>& overrides = {}, const std::string& variant = {}) {
   const fs::path file = chain.files[0].name;
@@ -259,7 +244,6 @@ LoadedWorkflow loaded_from(Json config, const BaseChain& chain, const Registry& 
   Schema<Workflow> schema;
   Workflow::describe(schema);
   loaded.workflow = schema.load(loaded.config);
-  refuse_twins(loaded.workflow, file);
   try_plugins(loaded.workflow, registry);
   return loaded;
 }

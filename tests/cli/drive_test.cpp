@@ -75,6 +75,25 @@ TEST_F(Drive, TheCurvesAreTheLaws) {
   for (const auto& entry : fs::directory_iterator(folder_ / "out")) EXPECT_NE(entry.path().extension(), ".partial");
 }
 
+TEST_F(Drive, TheResultsAreAlsoPrinted) {
+  write("path.csv", "normal_m\n0\n-1e-6\n");
+  const Result r = drive(std::string(brittle) + "--path path.csv -o out --steps 50");
+  ASSERT_EQ(r.code, 0) << r.text;
+  const auto line = [&](const std::string& title) {
+    const std::size_t at = r.text.find("\n" + title);
+    EXPECT_NE(at, r.text.npos) << title << "\n" << r.text;
+    return at == r.text.npos ? std::string() : r.text.substr(at + 1, r.text.find('\n', at + 1) - at - 1);
+  };
+  const auto value = [&](const std::string& title) {
+    return std::stod(line(title).substr(line(title).rfind('|') + 1));
+  };
+  // Pressed by 1 um at 20 N/um: 20 N, on the way 10 uJ.
+  EXPECT_NEAR(value("least normal force (N)"), -20, 0.01);
+  EXPECT_NEAR(value("work done on the pair (J)"), 1e-5, 1e-8);
+  EXPECT_NEAR(value("energy stored (J)"), 1e-5, 1e-8);
+  EXPECT_EQ(r.text.find("stopped before its end"), r.text.npos);
+}
+
 TEST_F(Drive, UnbondedSpheresOfTwoSizesAcrossAGap) {
   write("path.csv", "shear_m,normal_m\n0,-3e-6\n2e-5,-3e-6\n");
   run(std::string(brittle) + "--radius 1mm,3mm --gap '1 um' --unbonded");  // K_n = 2 E_c (2 mm) = 40 N/um

@@ -267,8 +267,13 @@ TEST_F(Results, AskedToStopARunEndsWithWholeFiles) {
     expect_whole(out);
     EXPECT_EQ(summary(out)["interrupted"], true);
   }
-  const Result r = call("run small.yaml --output t --set protocol.platen_velocity='0.00005 m/s'", "timeout 2");
+  const Result r =
+      call("run small.yaml --output t --set protocol.platen_velocity='0.00005 m/s' --set 'reference={particles: 128}'",
+           "timeout 2");
   EXPECT_EQ(r.code, 124) << r.text;
+  EXPECT_NE(r.text.find("\nparticles  "), std::string::npos) << "the table of what there is\n" << r.text;
+  EXPECT_NE(r.text.find("The run was stopped before its end: its last values are not final.\n"), std::string::npos)
+      << r.text;
   expect_whole("t");
 }
 

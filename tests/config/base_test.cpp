@@ -49,7 +49,7 @@ seed: 7
 specimen: {diameter: 23 mm, slenderness: 2, porosity: 23 %}
 levels: [1 MPa, 2 MPa, 3 MPa]
 contact_law: {type: brittle, bond_modulus: 10 GPa, tensile_strength: 40 MPa, friction: 0.3}
-postprocessor: [{type: stress, every: 2 ms}, {type: stress, symmetric: false}]
+postprocessor: [{type: stress, every: 2 ms}, {type: stress, name: second, symmetric: false}]
 expected: {source: a paper, peaks: {first: 1, second: 2}}
 quick: 1
 )";

@@ -205,6 +205,7 @@ postprocessor:
       - {point: [0 m, 1 mm, -2 cm], friction: 0.3}
       - point: [1 m, 1 m, 1 m]
   - type: stress
+    name: second
     symmetric: false
 expected:
   modulus: *stiff

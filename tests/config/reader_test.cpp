@@ -35,7 +35,7 @@ TEST(Reader, ReadsEveryTypeInSi) {
     "postprocessor": [
       {"type": "stress", "every": 0.002, "symmetric": true,
        "walls": [{"point": [0.0, 0.001, -0.02], "friction": 0.3}, {"point": [1.0, 1.0, 1.0], "friction": 0.0}]},
-      {"type": "stress", "every": 0.001, "symmetric": false, "walls": []}],
+      {"type": "stress", "name": "second", "every": 0.001, "symmetric": false, "walls": []}],
     "expected": {"modulus": "10 GPa", "peaks": [1, 2.5, "3", true, null], "note": "as in \"table 2\""},
     "slow": 3.0})");
   Json got = read(fake::valid);

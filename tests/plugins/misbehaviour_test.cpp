@@ -2,6 +2,7 @@
 /// What goes wrong inside a plugin comes out as a UserError that names it.
 #include "breccia/contact_law.hpp"
 #include "breccia/packing.hpp"
+#include "breccia/renderer.hpp"
 #include "fixture.hpp"
 #include "plugin/registry.hpp"
 
@@ -59,7 +60,12 @@ TEST_F(Misbehaviour, AConstructorsOwnUserErrorStaysReadable) {
               registry.create<Packing>({"tiny", {{"size", 101}}});
             }),
             "packing `tiny`: size 100 m is the most");
-  EXPECT_THROW(registry.create<Packing>({"tiny", {{"size", 13}}}), Unavailable);  // not the user's mistake
+  EXPECT_EQ(refusal([&] {
+              registry.create<Packing>({"tiny", {{"size", 13}}});
+            }),
+            "packing `tiny`: not on this machine");
+  write(folder / "breccia_renderer.tiny.so", built("tiny_renderer"));  // of pictures alone one can do without
+  EXPECT_THROW(Registry({{folder.path(), ""}}).create<Renderer>({"tiny", {{"size", 13}}}), Unavailable);
 }
 
 }  // namespace breccia::test

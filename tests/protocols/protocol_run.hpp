@@ -63,11 +63,12 @@ class ProtocolRun {
  public:
   ProtocolRun(const PackedParticles& packing, const Json& law, const std::string& law_name, double tolerance,
               const std::string& protocol, const Json& config, int dimension = 3, int threads = 1) {
-    law_ = make_law(law, law_name);
+    static Registry registry;
+    laws_.emplace(registry, PluginStack{{{law_name, law}}});
     EngineSettings settings;
     settings.damping = {0.5, 0.5};
     settings.threads = threads;
-    simulation_ = std::make_unique<Simulation>(assemble(packing, {2650}, dimension, 1.0), *law_, settings);
+    simulation_ = std::make_unique<Simulation>(assemble(packing, {2650}, dimension, 1.0), laws_->interactions(), settings);
     simulation_->bond({GapMeasure::relative, tolerance, std::nullopt});
     protocol_ = make_protocol(protocol, config);
     protocol_->setup(simulation_->view(), *simulation_, rows, host_);
@@ -77,7 +78,8 @@ class ProtocolRun {
   /// To the protocol's end; fails when it takes more steps. `watch` sees each sample.
   template <class Watch>
   void go(int most_steps, Watch&& watch, int every = 20, double load_change = 0) {
-    Loading loading(*simulation_, *protocol_, {std::uint64_t(every), load_change});
+    Loading loading(*simulation_, *laws_, *protocol_, {Protocol::kind, "under test"},
+                    {std::uint64_t(every), load_change});
     for (int k = 0; k < most_steps; ++k) {
       const LoadingStep now = loading.step();
       if (now.row) {
@@ -105,7 +107,7 @@ class ProtocolRun {
 
  private:
   QuietHost host_;
-  std::unique_ptr<ContactLaw> law_;
+  std::optional<ContactLaws> laws_;
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<Protocol> protocol_;
 };

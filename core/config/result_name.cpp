@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/result_name.hpp"
+#include "config/result_name.hpp"
 
 #include <algorithm>
 

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The plugins of a workflow's lists, told apart by the names that the workflow gives them: each goes through the
+/// wrappers below, which put the name in front of whatever it leaves among what others leave.
+#pragma once
+
+#include "breccia/postprocessor.hpp"
+#include "output/summary_table.hpp"
+#include "plugin/guarded.hpp"
+#include "plugin/registry.hpp"
+
+namespace breccia {
+
+/// What the workflow calls it; empty for a plugin without `name`.
+std::string given_name(const PluginChoice& choice);
+/// What its results go by: `gauges`, or `upper_gauges` with the name `upper`.
+std::string result_label(const PluginChoice& choice);
+
+/// One plugin of a list.
+template <class P>
+class Listed {
+ public:
+  Listed(const PluginChoice& choice, const Registry& registry)
+      : type_(choice.type),
+        name_(given_name(choice)),
+        label_(result_label(choice)),
+        plugin_(registry.create<P>(choice)) {}
+
+  /// `f` of the plugin; what it throws names the plugin.
+  template <class F>
+  decltype(auto) call(std::string_view doing, F&& f) {
+    try {
+      return calling({P::kind, type_, name_}, doing, [&]() -> decltype(auto) { return f(*plugin_); });
+    } catch (...) {
+      failed_ = true;
+      throw;
+    }
+  }
+  const std::string& label() const { return label_; }
+  std::string prefix() const { return name_.empty() ? "" : name_ + "_"; }
+  bool is_named() const { return !name_.empty(); }
+  bool has_failed() const { return failed_; }
+
+ private:
+  std::string type_, name_, label_;
+  std::unique_ptr<P> plugin_;
+  bool failed_ = false;
+};
+
+/// Columns `upper_...` for the plugin named `upper`.
+class NamedRecorder final : public Recorder {
+ public:
+  NamedRecorder(Recorder& to, std::string prefix) : to_(to), prefix_(std::move(prefix)) {}
+  std::size_t add(Column column) override {
+    column.name = prefix_ + column.name;
+    return to_.add(std::move(column));
+  }
+  void set(std::size_t column, double value) override { to_.set(column, value); }
+
+ private:
+  Recorder& to_;
+  std::string prefix_;
+};
+
+/// The plugin finds its own columns, and those of others of its name, by the names without prefix; then all others.
+class NamedCurves final : public Curves {
+ public:
+  NamedCurves(const Curves& of, std::string prefix) : of_(of), prefix_(std::move(prefix)) {}
+  const std::vector<Column>& columns() const override { return of_.columns(); }
+  std::span<const double> column(std::string_view name) const override;
+  std::size_t rows() const override { return of_.rows(); }
+
+ private:
+  const Curves& of_;
+  std::string prefix_;
+};
+
+/// A section, headlines and tables of its own.
+class NamedSummary final : public Summary {
+ public:
+  template <class P>
+  NamedSummary(SummaryTable& table, const Listed<P>& plugin)
+      : section_(table, plugin.label()), prefix_(plugin.prefix()) {}
+  void headline(const std::string& key, Json value) override { section_.headline(prefix_ + key, std::move(value)); }
+  void own(const std::string& key, Json value) override { section_.own(key, std::move(value)); }
+  void table(Table table) override {
+    table.name = prefix_ + table.name;
+    section_.table(std::move(table));
+  }
+
+ private:
+  SummaryTable::Section section_;
+  std::string prefix_;
+};
+
+}  // namespace breccia
