@@ -9,6 +9,7 @@
 #include "engine/neighbours.hpp"
 #include "engine/particle_pass.hpp"
 #include "engine/partition.hpp"
+#include "engine/time_step.hpp"
 
 namespace breccia {
 
@@ -41,6 +42,8 @@ class Simulation final : public LoadControl {
   const State& state() const { return state_; }
   std::uint64_t rebuilds() const { return rebuilds_; }
   double critical_step() const { return critical_; }
+  /// After `prepare()`: the few particles, if any, whose bound is more than `ratio` times below that of the others.
+  std::optional<StepSetter> step_setter(double ratio);
   bool loading_started() const { return loading_started_; }
   double porosity() const;  ///< 1 - sum of particle volumes / specimen volume
 

@@ -88,13 +88,15 @@ class Run {
         relative ? fmt::format("tolerance {:.4f}", bonding_.limit) : fmt::format("gap {:.4g} m", bonding_.limit)));
     time_column_ = curves_.add({"time", "s", "since the first step"});
     const SimulationView view = simulation_->view();
-    check_specimen(view, packing_porosity(), monitor_);
+    check_specimen(view, packing_porosity(), w_.checks, monitor_);
     protocol_->setup(view, *simulation_, curves_, monitor_);
     for (auto& p : posts_) p->begin(view, curves_, monitor_);
     for (auto& p : posts_)
       for (const std::string& name : p->needed_curves()) (void)curves_.column(name);
     frames_->begin(options_.folder, monitor_);
     simulation_->prepare();
+    check_time_step(*simulation_, w_.checks, monitor_);
+    loading_checks_.emplace(w_.checks);
     curves_.open(options_.folder / "curves.csv");
   }
 
@@ -169,6 +171,7 @@ class Run {
       loop_seconds_ += seconds_since(start);
     }
     warn_of_missed_peak(loading);
+    loading_checks_->finish(sim, loading.peak(), monitor_);
     frames_->at(sim.view(), true);
     frames_->finish();
     curves_.close();
@@ -176,6 +179,7 @@ class Run {
 
   void sample(bool begins) {
     Simulation& sim = *simulation_;
+    loading_checks_->sample(sim, protocol_->load(), monitor_);
     const SimulationView view = sim.view();
     if (sim.loading_started()) {
       curves_.set(time_column_, sim.time());
@@ -291,6 +295,7 @@ class Run {
   CurveTable curves_;
   SummaryTable summary_;
   std::optional<EnergyCheck> energy_check_;
+  std::optional<LoadingChecks> loading_checks_;
   std::size_t time_column_ = 0;
   double loop_seconds_ = 0;
   bool interrupted_ = false;

@@ -8,6 +8,7 @@
 #include "config/base_chain.hpp"
 #include "engine/bonding.hpp"
 #include "plugin/registry.hpp"
+#include "run/checks.hpp"
 
 namespace breccia {
 
@@ -56,6 +57,7 @@ struct Workflow {
   DampingConfig damping;
   EngineConfig engine;
   SamplingConfig sampling;
+  ChecksConfig checks;
   std::vector<PluginChoice> postprocessors, outputs, renderers;
   Json reference, provenance;
   Json variants;  ///< never set: taken out when the file is read
