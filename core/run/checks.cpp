@@ -136,7 +136,7 @@ void ChecksConfig::describe(Schema<ChecksConfig>& s) {
       .doc("warns when a particle stands deeper in a wall than this share of its radius; very large: never");
   s.param("pair_overlap", &ChecksConfig::pair_overlap)
       .above(0)
-      .fallback(0.3)
+      .fallback(0.5)
       .doc(
           "warns when two particles without an intact bond are pressed into each other by more than this share of the "
           "sum of their radii; 1: never");
@@ -148,7 +148,7 @@ void ChecksConfig::describe(Schema<ChecksConfig>& s) {
           "the bonded specimen; very large: never");
   s.param("unbalanced_force", &ChecksConfig::unbalanced_force)
       .above(0)
-      .fallback(0.1)
+      .fallback(0.2)
       .doc(
           "warns when the unbalanced force ratio (mean resultant on a particle over mean contact force) exceeds this "
           "between 10 and 90 % of the peak of the load: the test is not quasi-static; very large: never");
