@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "breccia/cell_grid.hpp"
 #include "breccia/error.hpp"
@@ -26,6 +27,28 @@ std::vector<Candidate> pairs_within(const Particles& p, GapMeasure measure, doub
         if (gap <= limit) found.push_back({i, j, d, gap});
       });
   return found;
+}
+
+/// Far more than any packing needs; a limit of a metre in place of a millimetre asks for all pairs there are, and for
+/// all memory. Counting needs none.
+void refuse_too_many(const Particles& p, const BondingResult& rule) {
+  constexpr std::size_t most = 350;  // bonds a particle; within five times the sum of the radii there are about 300
+  if (p.size() <= 2 * most) return;
+  const double largest = *std::max_element(p.radius.begin(), p.radius.end());
+  const bool relative = rule.measure == GapMeasure::relative;
+  std::size_t count = 0;
+  CellGrid(p.position, 2 * largest * (1 + (relative ? rule.limit : std::max(0.0, 0.5 * rule.limit / largest))))
+      .for_each_pair([&](Index i, Index j) {
+        const double reach =
+            relative ? (1 + rule.limit) * (p.radius[i] + p.radius[j]) : p.radius[i] + p.radius[j] + rule.limit;
+        if ((p.position[j] - p.position[i]).squaredNorm() > reach * reach) return;
+        if (++count <= most * p.size()) return;
+        char text[32];
+        std::snprintf(text, sizeof text, relative ? "%.4g" : "%.4g m", rule.limit);
+        throw UserError(std::string("bonding.") + (relative ? "tolerance" : "gap") + ": within " + text + " the " +
+                        std::to_string(p.size()) + " particles have more than " + std::to_string(2 * most) +
+                        " neighbours each, where some 12 are bonded as a rule: is its unit right?");
+      });
 }
 
 /// The candidates with the smallest gaps, as many as asked; equal gaps stand or fall together, so a lattice stays one.
@@ -62,6 +85,7 @@ BondingResult make_bonds(State& state, const BondingRule& rule) {
     if (wanted > 0) chosen = nearest_pairs(p, rule.measure, wanted, result.limit);
   } else {
     result.limit = *rule.limit;
+    refuse_too_many(p, result);
     chosen = pairs_within(p, rule.measure, result.limit);
   }
   std::sort(chosen.begin(), chosen.end(),

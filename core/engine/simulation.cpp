@@ -8,7 +8,6 @@
 #include "breccia/protocol_tools/equilibrium.hpp"
 #include "engine/law_probe.hpp"
 #include "engine/specimen.hpp"
-#include "engine/time_step.hpp"
 #include "engine/walls.hpp"
 
 namespace breccia {
@@ -68,6 +67,10 @@ void Simulation::prepare() {
     throw UserError(
         "no bond or contact is stiff enough to set a time step: the particles do not touch; "
         "raise bonding.tolerance or use a denser packing");
+}
+
+std::optional<StepSetter> Simulation::step_setter(double ratio) {
+  return find_step_setter(state_, laws_, incidence_, reach_, bound_, ratio, settings_.threads);
 }
 
 void Simulation::check_critical_step() {

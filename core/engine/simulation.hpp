@@ -11,6 +11,7 @@
 #include "engine/particle_pass.hpp"
 #include "engine/partition.hpp"
 #include "engine/spectral_step.hpp"
+#include "engine/time_step.hpp"
 
 namespace breccia {
 
@@ -55,6 +56,8 @@ class Simulation final : public LoadControl {
   double step_over_bound() const { return critical_ / bound_; }  ///< critical step over that of single particles
   const AddedMass& added_mass() const { return added_mass_; }
   int mode_products() const { return spectral_.products(); }  ///< matrix-vector products that the step has cost
+  /// After `prepare()`: the few particles, if any, whose bound is more than `ratio` times below that of the others.
+  std::optional<StepSetter> step_setter(double ratio);
   bool loading_started() const { return loading_started_; }
   double porosity() const;  ///< 1 - sum of particle volumes / specimen volume
 

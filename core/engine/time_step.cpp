@@ -140,6 +140,29 @@ std::vector<double> time_step_of_each(State& s, const Interactions& law, const I
   return steps;
 }
 
+std::optional<StepSetter> find_step_setter(State& s, const Interactions& law, const Incidence& incidence, double reach,
+                                           double critical, double ratio, int threads) {
+  const std::size_t n = s.particles.size();
+  const double far = ratio * critical;
+  if (n < 10 || !std::isfinite(far) || !(far > 0)) return std::nullopt;  // of so few none is the bulk
+  const Restraints restraints(s, law, incidence, reach);
+  std::vector<std::uint8_t> short_of(n);
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (std::ptrdiff_t a = 0; a < std::ptrdiff_t(n); ++a)
+    short_of[a] = (Mat6::Identity() - restraints.of(Index(a)).at(far)).llt().info() != Eigen::Success;
+  std::vector<Index> few, rest;
+  for (Index a = 0; a < n; ++a) (short_of[a] ? few : rest).push_back(a);
+  if (few.empty() || few.size() > std::max<std::size_t>(1, n / 100)) return std::nullopt;
+  StepSetter found{few[0], few.size() - 1, infinity, critical_time_step(s, law, incidence, rest, reach, threads)};
+  for (const Index a : few)
+    if (const double own = step_of(restraints.of(a)); own < found.step) {
+      found.step = own;
+      found.particle = a;
+    }
+  if (!std::isfinite(found.without)) return std::nullopt;  // nothing else is held by anything stiff
+  return found;
+}
+
 std::vector<Index> newly_within_reach(const State& s, double reach, const std::vector<WallTouch>* known) {
   const auto& now = s.particles.position;
   const auto& then = s.positions_at_look;

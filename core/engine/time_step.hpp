@@ -2,6 +2,8 @@
 /// The largest stable time step.
 #pragma once
 
+#include <optional>
+
 #include "engine/neighbours.hpp"
 #include "model/state.hpp"
 
@@ -25,6 +27,19 @@ double critical_time_step(State& state, const Interactions& law, const Incidence
 /// The same of each particle by itself [s].
 std::vector<double> time_step_of_each(State& state, const Interactions& law, const Incidence& incidence, double reach,
                                       int threads);
+
+/// The one particle, or the few, that make the time step of all others much shorter.
+struct StepSetter {
+  Index particle;      ///< the one with the least bound
+  std::size_t others;  ///< whose bounds are far below those of the rest, too
+  double step;         ///< critical, of all [s]
+  double without;      ///< critical, of all but these [s]
+};
+
+/// Those whose bound is more than `ratio` times below all that is left: at most 1 % of the particles (one in less than
+/// 200), of ten at the least. `critical` is that of all. Nothing when the bulk sets the step.
+std::optional<StepSetter> find_step_setter(State& state, const Interactions& law, const Incidence& incidence,
+                                           double reach, double critical, double ratio, int threads);
 
 /// The particles that have come within `reach` [m] of a neighbour or a wall since `positions_at_look`, ascending: they
 /// may ask for a shorter time step. All that have any when nobody has looked yet. Walls move: those that touch one

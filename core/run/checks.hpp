@@ -4,12 +4,50 @@
 
 #include "breccia/services.hpp"
 #include "breccia/views.hpp"
+#include "engine/simulation.hpp"
 
 namespace breccia {
+
+/// The section `checks:` of a workflow: from where on it is said. None of them has a part in the test itself.
+struct ChecksConfig {
+  bool negative_porosity;
+  double deep_overlap, wide_gap, bond_share, unbonded_share, stray_growth;  // of the specimen before the first step
+  double time_step_ratio;
+  double wall_overlap, pair_overlap, wall_speed, unbalanced_force;  // while it is loaded
+  static void describe(Schema<ChecksConfig>& s);
+};
 
 /// Looks at the bonded specimen before the first step and warns of: particles with more volume than the specimen
 /// (diameters read as radii), deep overlaps, bonds across wide gaps, particles without a bond, and such particles away
 /// from the rest, by which the specimen would be measured.
-void check_specimen(const SimulationView& view, double porosity, Host& host);
+void check_specimen(const SimulationView& view, double porosity, const ChecksConfig& limits, Host& host);
+
+/// Warns of one particle (or a few) that makes the time step of all others much shorter; after `prepare()`.
+void check_time_step(Simulation& simulation, const ChecksConfig& limits, Host& host);
+
+/// What shows only while the specimen is loaded; sees every row, and warns of each kind once.
+class LoadingChecks {
+ public:
+  explicit LoadingChecks(const ChecksConfig& limits) : limits_(limits) {}
+
+  /// After the forces of a step that may be viewed. `load`: the protocol's.
+  void sample(Simulation& simulation, double load, Host& host);
+  /// `peak`: the largest load of all steps.
+  void finish(const Simulation& simulation, double peak, Host& host) const;
+
+ private:
+  void look_for_speed(Simulation& simulation, Host& host);
+  void look_for_overlaps(const State& state);
+
+  struct Row {
+    double load, unbalanced;
+  };
+  ChecksConfig limits_;
+  std::vector<Row> rows_;
+  std::vector<double> wall_overlap_;          ///< deepest of each wall, over the particle's radius
+  double pair_overlap_ = 0, pair_mean_ = 0;   ///< deepest over the sum of the radii, and the mean in that row
+  double wave_speed_ = -1, walls_speed_ = 0;  ///< [m/s]; below zero: not known yet
+  bool fast_ = false;
+};
 
 }  // namespace breccia

@@ -82,8 +82,9 @@ class Run {
     settings.skin = w_.engine.skin;
     settings.threads = monitor_.threads();
     laws_->within([&] {
-      simulation_ = std::make_unique<Simulation>(
-          assemble(packing_.particles, {w_.material.density}, dimension, w_.thickness), laws_->interactions(), settings);
+      simulation_ =
+          std::make_unique<Simulation>(assemble(packing_.particles, {w_.material.density}, dimension, w_.thickness),
+                                       laws_->interactions(), settings);
       bonding_ = simulation_->bond(w_.bonding.rule());
     });
     const bool relative = bonding_.measure == GapMeasure::relative;
@@ -92,7 +93,7 @@ class Run {
         relative ? fmt::format("tolerance {:.4f}", bonding_.limit) : fmt::format("gap {:.4g} m", bonding_.limit)));
     time_column_ = curves_.add({"time", "s", "since the first step"});
     const SimulationView view = simulation_->view();
-    check_specimen(view, packing_porosity(), monitor_);
+    check_specimen(view, packing_porosity(), w_.checks, monitor_);
     laws_->within([&] {
       calling(protocol_id(), "setting up the test", [&] { protocol_->setup(view, *simulation_, curves_, monitor_); });
     });
@@ -105,7 +106,11 @@ class Run {
         for (const std::string& name : q.needed_curves()) (void)NamedCurves(curves_, p.prefix()).column(name);
       });
     frames_->begin(options_.folder, monitor_);
-    laws_->within([&] { simulation_->prepare(); });
+    laws_->within([&] {
+      simulation_->prepare();
+      check_time_step(*simulation_, w_.checks, monitor_);
+    });
+    loading_checks_.emplace(w_.checks);
     curves_.open(options_.folder / "curves.csv");
   }
 
@@ -183,6 +188,7 @@ class Run {
         loop_seconds_ += seconds_since(start);
       }
       warn_of_missed_peak(loading);
+      loading_checks_->finish(sim, loading.peak(), monitor_);
     } catch (const PluginFault& e) { fail(e); }
     viewable_ = complete_step();
     if (viewable_) attempt([&] { frames_->at(sim.view(), true); });
@@ -228,6 +234,8 @@ class Run {
     Simulation& sim = *simulation_;
     SimulationView view;
     laws_->within([&] { view = sim.view(); });  // a row without the law's energy would be wrong
+    loading_checks_->sample(sim, calling(protocol_id(), "telling its load", [&] { return protocol_->load(); }),
+                            monitor_);
     if (sim.loading_started()) {
       curves_.set(time_column_, sim.time());
       calling(protocol_id(), "measuring", [&] { protocol_->sample(view, curves_); });
@@ -370,6 +378,7 @@ class Run {
   CurveTable curves_;
   SummaryTable summary_;
   std::optional<EnergyCheck> energy_check_;
+  std::optional<LoadingChecks> loading_checks_;
   std::size_t time_column_ = 0;
   double loop_seconds_ = 0;
   bool interrupted_ = false;

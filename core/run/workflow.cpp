@@ -162,6 +162,9 @@ void Workflow::describe(Schema<Workflow>& s) {
   s.param("protocol", &Workflow::protocol).kind("protocol").doc("the test");
   s.param("engine", &Workflow::engine).fallback(defaults).doc("numerical settings");
   s.param("sampling", &Workflow::sampling).fallback(defaults).doc("when curves are measured");
+  s.param("checks", &Workflow::checks)
+      .fallback(defaults)
+      .doc("from where on input, or what becomes of it, is called almost surely wrong: warnings, no part of the test");
   s.param("postprocessors", &Workflow::postprocessors).kind("postprocessor").fallback(none).doc("what is measured");
   s.param("outputs", &Workflow::outputs)
       .kind("output")

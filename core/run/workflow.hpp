@@ -9,6 +9,7 @@
 #include "engine/bonding.hpp"
 #include "engine/simulation.hpp"
 #include "plugin/registry.hpp"
+#include "run/checks.hpp"
 
 namespace breccia {
 
@@ -59,6 +60,7 @@ struct Workflow {
   DampingConfig damping;
   EngineConfig engine;
   SamplingConfig sampling;
+  ChecksConfig checks;
   std::vector<PluginChoice> postprocessors, outputs, renderers;
   Json reference, provenance;
   Json variants;  ///< never set: taken out when the file is read

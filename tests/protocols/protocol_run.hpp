@@ -68,7 +68,8 @@ class ProtocolRun {
     EngineSettings settings;
     settings.damping = {0.5, 0.5};
     settings.threads = threads;
-    simulation_ = std::make_unique<Simulation>(assemble(packing, {2650}, dimension, 1.0), laws_->interactions(), settings);
+    simulation_ =
+        std::make_unique<Simulation>(assemble(packing, {2650}, dimension, 1.0), laws_->interactions(), settings);
     simulation_->bond({GapMeasure::relative, tolerance, std::nullopt});
     protocol_ = make_protocol(protocol, config);
     protocol_->setup(simulation_->view(), *simulation_, rows, host_);

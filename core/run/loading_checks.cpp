@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "run/checks.hpp"
+
+namespace breccia {
+namespace {
+
+/// Of what the test leads: walls, and the velocities of held particles [m/s].
+double fastest_boundary(const State& s) {
+  double fastest = 0;
+  for (const Wall& w : s.walls) fastest = std::max(fastest, w.velocity.norm());
+  for (std::size_t a = 0; a < s.particles.size(); ++a)
+    for (int k = 0; k < 3; ++k)
+      if (s.particles.held[a] >> k & 1) fastest = std::max(fastest, std::abs(s.particles.velocity[a][k]));
+  return fastest;
+}
+
+}  // namespace
+
+void check_time_step(Simulation& simulation, const ChecksConfig& limits, Host& host) {
+  const auto found = simulation.step_setter(limits.time_step_ratio);
+  if (!found) return;
+  const Particles& p = simulation.state().particles;
+  const Vec3& x = p.position[found->particle];
+  host.warn(fmt::format(
+      "particle {} of the packing (radius {:.4g} m, at {:.4g}, {:.4g}, {:.4g} m){} makes the time step {:.3g} times "
+      "shorter than it were without {}: the critical one is {:.3g} s instead of {:.3g} s. Is it too small, or does it "
+      "overlap others or a wall too much?",
+      p.id[found->particle], p.radius[found->particle], x.x(), x.y(), x.z(),
+      found->others ? fmt::format(", with {} more,", found->others) : "", found->without / found->step,
+      found->others ? "them" : "it", found->step, found->without));
+}
+
+void LoadingChecks::sample(Simulation& simulation, double load, Host& host) {
+  look_for_speed(simulation, host);
+  look_for_overlaps(simulation.state());
+  if (simulation.loading_started()) rows_.push_back({load, simulation.unbalanced_force_ratio()});
+}
+
+void LoadingChecks::look_for_speed(Simulation& simulation, Host& host) {
+  const double speed = fastest_boundary(simulation.state());
+  if (fast_ || speed <= walls_speed_) return;
+  walls_speed_ = speed;
+  if (wave_speed_ < 0) wave_speed_ = simulation.bond_stiffness().wave_speed;
+  if (!(wave_speed_ > 0) || speed <= limits_.wall_speed * wave_speed_) return;
+  fast_ = true;
+  host.warn(
+      fmt::format("a boundary moves at {:.3g} m/s, that is {:.3g} % of the speed of waves in the bonded specimen "
+                  "({:.4g} m/s): its load does not reach the whole specimen at once; lower the velocity of the platens",
+                  speed, 100 * speed / wave_speed_, wave_speed_));
+}
+
+void LoadingChecks::look_for_overlaps(const State& s) {
+  wall_overlap_.resize(s.walls.size(), 0);
+  for (const WallTouch& t : s.wall_touches)
+    wall_overlap_[t.wall] = std::max(wall_overlap_[t.wall], t.overlap / s.particles.radius[t.particle]);
+  double sum = 0, deepest = 0;
+  std::size_t pressed = 0;
+  for (std::size_t k = 0; k < s.pairs.size(); ++k) {
+    if (s.pairs.state[k] == BondState::intact) continue;
+    const Index i = s.pairs.i[k], j = s.pairs.j[k];
+    const double overlap = (s.pairs.rest_length[k] - (s.particles.position[j] - s.particles.position[i]).norm()) /
+                           (s.particles.radius[i] + s.particles.radius[j]);
+    if (overlap <= 0) continue;
+    sum += overlap;
+    deepest = std::max(deepest, overlap);
+    ++pressed;
+  }
+  if (deepest <= pair_overlap_) return;
+  pair_overlap_ = deepest;
+  pair_mean_ = sum / double(pressed);
+}
+
+void LoadingChecks::finish(const Simulation& simulation, double peak, Host& host) const {
+  const auto& walls = simulation.state().walls;
+  for (std::size_t w = 0; w < wall_overlap_.size(); ++w)
+    if (wall_overlap_[w] > limits_.wall_overlap)
+      host.warn(
+          fmt::format("wall `{}` of {:.3g} N/m is penetrated: a particle stood {:.3g} % of its radius deep in it; "
+                      "strains and areas measured by that wall are wrong by so much: give it more stiffness",
+                      walls[w].name, walls[w].normal_stiffness, 100 * wall_overlap_[w]));
+  if (pair_overlap_ > limits_.pair_overlap)
+    host.warn(
+        fmt::format("particles without an intact bond are pressed {:.3g} % of the sum of their radii into each other "
+                    "at the deepest ({:.3g} % in the mean at that time): the contact law is too soft, or the load too "
+                    "high, for particles that keep their shape",
+                    100 * pair_overlap_, 100 * pair_mean_));
+  double most = 0;
+  for (std::size_t k = 0; k < rows_.size() && rows_[k].load < 0.9 * peak; ++k)
+    if (rows_[k].load > 0.1 * peak) most = std::max(most, rows_[k].unbalanced);
+  if (most > limits_.unbalanced_force)
+    host.warn(
+        fmt::format("the test is not quasi-static: before the peak of the load the unbalanced force ratio rises to "
+                    "{:.3g} (the limit is {:.3g}): strength and moduli contain inertia; lower the velocity of the "
+                    "platens, or raise the damping",
+                    most, limits_.unbalanced_force));
+}
+
+}  // namespace breccia
