@@ -67,6 +67,23 @@ std::optional<double> convert(const DecimalText& number, double factor, double o
   throw UserError(in_ticks(unit) + " " + what + "; " + needed(wanted.dimension, si_unit) + " is needed" + hint);
 }
 
+/// Prefixes whose case was slipped: units that exist, and that nobody means who writes of rock. Whoever does can say so
+/// in another way.
+void refuse_slip_of_case(std::string_view text, std::string_view number, std::string_view unit) {
+  struct Slip {
+    const char *written, *meant, *otherwise;
+  };
+  for (const Slip& slip : {Slip{"mPa", "MPa", "e-3 Pa"}, Slip{"Mm", "mm", "e6 m"}, Slip{"Mm/s", "mm/s", "e6 m/s"},
+                           Slip{"Ms", "ms", "e6 s"}})
+    if (unit == slip.written) {
+      const std::string plain(number);
+      const bool has_exponent = plain.find_first_of("eE") != std::string::npos;
+      throw UserError(in_ticks(text) + " is almost surely meant as " + in_ticks(plain + " " + slip.meant) +
+                      "; if it is not, write it " +
+                      (has_exponent ? "without the prefix" : "as " + in_ticks(plain + slip.otherwise)));
+    }
+}
+
 units::Unit unit_of_schema(const std::string& si_unit) {
   const auto unit = units::find_unit(si_unit);
   BRECCIA_ASSERT(unit && "the schema names a unit that exists");
@@ -98,6 +115,7 @@ Quantity read_quantity(std::string_view written, const std::string& si_unit) {
     if (const std::string problem = unit_syntax_problem(unit); !problem.empty()) throw UserError(problem);
     const auto found = units::find_unit(unit);
     if (!found || found->dimension != wanted.dimension) refuse_unit(unit, found ? &*found : nullptr, wanted, si_unit);
+    refuse_slip_of_case(text, text.substr(0, number.length), unit);
     quantity.factor = found->factor / wanted.factor;
     quantity.offset = (found->offset - wanted.offset) / wanted.factor;
   }

@@ -65,7 +65,10 @@ class SchemaChecker {
       return fail_if(
           std::none_of(argument.begin(), argument.end(), [&](const Json& s) { return problem(s, value, at).empty(); }));
     if (keyword == "allOf") return first_problem(argument, value, at);
-    if (keyword == "if") return problem(argument, value, at).empty() ? problem(schema.at("then"), value, at) : "";
+    if (keyword == "if") {
+      const char* way = problem(argument, value, at).empty() ? "then" : "else";
+      return schema.contains(way) ? problem(schema.at(way), value, at) : "";
+    }
     if (keyword == "items") return items_problem(argument, value, at);
     if (keyword == "properties") return members_problem(argument, value, at);
     if (keyword == "additionalProperties") {
