@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a protocol may change and ask of a simulation.
+#include <numeric>
+
+#include "breccia/protocol_tools/equilibrium.hpp"
+#include "engine/simulation.hpp"
+#include "engine/specimen.hpp"
+#include "engine/walls.hpp"
+
+namespace breccia {
+
+double Simulation::unbalanced_force_ratio() {
+  BRECCIA_ASSERT(pair_forces_known_ && forces_known_);
+  std::vector<std::uint8_t> held(state_.particles.size());
+  for (std::size_t a = 0; a < held.size(); ++a)
+    held[a] = (state_.particles.held[a] & ~(state_.dimension == 2 ? dof::out_of_plane : 0)) != 0;
+  return breccia::unbalanced_force_ratio(state_.particles.force, state_.pairs.force, held);
+}
+
+BondStiffness Simulation::bond_stiffness() {
+  const Bonds& b = state_.bonds;
+  std::vector<BondState> bond_state = b.state;
+  std::vector<double*> columns;
+  PairBatch batch = whole_batch(state_, columns);
+  batch.begin = 0;
+  batch.end = b.size();
+  batch.i = b.i.data();
+  batch.j = b.j.data();
+  batch.rest_length = b.initial_distance.data();
+  batch.state = bond_state.data();
+  std::vector<ContactStiffness> stiffness(b.size());
+  laws_.stiffness(batch, stiffness.data());
+  BondStiffness result;
+  std::size_t intact = 0;
+  for (std::size_t k = 0; k < b.size(); ++k) {
+    if (b.state[k] != BondState::intact) continue;
+    ++intact;
+    result.mean_normal += stiffness[k].normal;
+    result.modulus += b.initial_distance[k] * b.initial_distance[k] * stiffness[k].normal;
+  }
+  if (intact == 0) return result;
+  result.mean_normal /= double(intact);
+  result.modulus /= state_.specimen.volume * state_.dimension;
+  const auto& m = state_.particles.mass;
+  result.wave_speed = std::sqrt(result.modulus * state_.specimen.volume / std::accumulate(m.begin(), m.end(), 0.0));
+  return result;
+}
+
+SpecimenShape Simulation::set_specimen_axis(const Vec3& axis) {
+  const SpecimenShape& old = state_.specimen;
+  state_.specimen = measure_specimen(state_.particles.position, state_.particles.radius, old.outline, axis,
+                                     state_.dimension, state_.thickness, old.volume);
+  return state_.specimen;
+}
+
+void Simulation::mark_start_of_loading() {
+  fold_chunk_sums();
+  state_.energy = {};
+  state_.dissipated.assign(laws_.size(), {});
+  state_.energy.boundary_work = wall_work_ahead(state_) - led_work_behind(state_);
+  state_.energy.initial = elastic_energy() + kinetic_energy(state_);
+  state_.particles.reference_position = state_.particles.position;
+  for (Wall& w : state_.walls) w.displacement.setZero();
+  const SpecimenShape& old = state_.specimen;
+  state_.specimen = measure_specimen(state_.particles.position, state_.particles.radius, old.outline, old.axis,
+                                     state_.dimension, state_.thickness, old.volume);
+  loading_started_ = true;
+}
+
+void Simulation::protect_bond(Index bond) {
+  if (!laws_.respects_protection())
+    throw UserError(
+        "this test protects some bonds from breaking, and the contact law does not support that: protect no bonds, or "
+        "use a law that has `respects_protection`");
+  Bonds& b = state_.bonds;
+  BRECCIA_ASSERT(bond < b.size() && rebuilds_ == 0);
+  b.guarded.resize(b.size(), 0);
+  b.guarded[bond] = 1;
+}
+
+std::size_t Simulation::add_wall(const WallSpec& w) {
+  Wall wall;
+  wall.name = w.name;
+  wall.point = w.point;
+  wall.normal = w.normal.normalized();
+  wall.velocity = wall.previous_velocity = wall.displacement = wall.force = Vec3::Zero();
+  wall.normal_stiffness = w.normal_stiffness;
+  wall.shear_stiffness = w.shear_stiffness;
+  wall.friction = w.friction;
+  wall.cylinder_radius = w.cylinder_radius;
+  state_.walls.push_back(wall);
+  return state_.walls.size() - 1;
+}
+
+void Simulation::set_wall_velocity(std::size_t wall, const Vec3& velocity) {
+  state_.walls.at(wall).velocity = velocity;
+}
+
+void Simulation::hold(Index a, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity, const Vec3& arm) {
+  Particles& p = state_.particles;
+  p.held[a] |= mask;
+  if (!arm.isZero(0) || !p.holding_arm.empty()) {
+    p.holding_arm.resize(p.size(), Vec3::Zero());
+    p.holding_arm[a] = arm;
+  }
+  // Whoever changes the velocity of a held particle gives it that energy; and the half step before was at the old one.
+  const auto lead = [&](double& now, double to, double inertia, double load) {
+    state_.energy.boundary_work += 0.5 * (inertia * (to * to - now * now) + state_.time_step * load * (to - now));
+    now = to;
+  };
+  for (int k = 0; k < 3; ++k) {
+    if (mask >> k & 1) lead(p.velocity[a][k], velocity[k], p.mass[a], p.force[a][k]);
+    if (mask >> (k + 3) & 1) lead(p.angular_velocity[a][k], angular_velocity[k], p.inertia[a], p.torque[a][k]);
+  }
+}
+
+void Simulation::release(Index a, std::uint8_t mask) {
+  const std::uint8_t always = state_.dimension == 2 ? dof::out_of_plane : std::uint8_t(0);
+  const std::uint8_t held = std::uint8_t((state_.particles.held[a] & ~mask) | always);
+  look_at_all_ |= settings_.time_step == TimeStep::spectral && rebuilds_ > 0 && held != state_.particles.held[a];
+  state_.particles.held[a] = held;
+}
+
+void Simulation::set_applied_force(Index a, const Vec3& force, const Mat3& moment) {
+  external_force_[a] += force - state_.particles.applied_force[a];
+  state_.particles.applied_force[a] = force;
+  state_.particles.applied_moment.resize(state_.particles.size(), Mat3::Zero());
+  state_.particles.applied_moment[a] = moment;
+  any_applied_ = true;
+}
+
+}  // namespace breccia
