@@ -68,6 +68,7 @@ void SectionReader::check_twins(const ParamSpec& list, const Json& all, const st
       const std::string both =
           ": both would write the same " + std::string(list.plugin_kind == "postprocessor" ? "curves and results"
                                                        : list.plugin_kind == "renderer"    ? "pictures"
+                                                       : list.plugin_kind == "contact_law" ? "history and results"
                                                                                            : "files");
       const std::string other = " (the first is " + sites[first].path + ")" + both;
       report(sites[k].place, sites[k].path,

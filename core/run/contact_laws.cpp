@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
+#include "run/listed.hpp"
+
 namespace breccia {
 
 ContactLaws::ContactLaws(const Registry& registry, const PluginStack& choices) {
   for (const PluginChoice& c : choices.plugins) {
-    if (std::find(names_.begin(), names_.end(), c.type) != names_.end())
-      throw UserError("contact_law: `" + c.type + "` stands twice in the list: its parameters can only have one value");
     laws_.push_back(std::make_unique<GuardedLaw>(registry.create<ContactLaw>(c), c.type));
-    names_.push_back(c.type);
+    names_.push_back(result_label(c));
   }
   (void)interactions();  // what it refuses is said here
 }

@@ -13,7 +13,7 @@ namespace breccia {
 
 class ContactLaws {
  public:
-  /// UserError when two of a kind are asked for, or two that make bonds.
+  /// UserError when two of them make bonds.
   ContactLaws(const Registry& registry, const PluginStack& choices);
 
   Interactions interactions() const;  ///< for as long as this lives

@@ -28,7 +28,8 @@ void check_time_step(Simulation& simulation, const ChecksConfig& limits, Host& h
   const Vec3& x = p.position[found->particle];
   host.warn(fmt::format(
       "particle {} of the packing (radius {:.4g} m, at {:.4g}, {:.4g}, {:.4g} m){} makes the time step {:.3g} times "
-      "shorter than it were without {}: the critical one is {:.3g} s instead of {:.3g} s. Is it too small, or does it "
+      "shorter than it were without {}: the critical one, by the bound of single particles, is {:.3g} s instead of "
+      "{:.3g} s. Is it too small, or does it "
       "overlap others or a wall too much?",
       p.id[found->particle], p.radius[found->particle], x.x(), x.y(), x.z(),
       found->others ? fmt::format(", with {} more,", found->others) : "", found->without / found->step,

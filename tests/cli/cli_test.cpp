@@ -337,7 +337,13 @@ TEST_F(Cli, ContactLawsOfAListAddUp) {
   EXPECT_EQ(summary("none")["dashpot"]["contact_J"], 0);
   const Result twice = call("validate list.yaml --set 'contact_law=[" + dashpot + ", " + dashpot + "]'");
   EXPECT_EQ(twice.code, 2);
-  EXPECT_NE(twice.text.find("`dashpot` stands twice"), std::string::npos) << twice.text;
+  EXPECT_NE(twice.text.find("a second `dashpot`"), std::string::npos) << twice.text;
+  const std::string named = "{type: dashpot, name: second, normal_ratio: 0.1, stiffness_modulus: 10 GPa}";
+  ASSERT_EQ(call("run list.yaml --output named --threads 1 --set 'contact_law=[" + brittle + ", " + dashpot + ", " +
+                 named + "]'")
+                .code,
+            0);
+  EXPECT_EQ(summary("named")["dashpot"]["contact_J"], summary("named")["second_dashpot"]["contact_J"]);
   const Result unknown = call("validate list.yaml --set contact_law.1.normal_ration=0");
   EXPECT_EQ(unknown.code, 2);
   EXPECT_NE(unknown.text.find("contact_law[1].normal_ration: is not a known parameter; did you mean `normal_ratio`?"),
