@@ -130,7 +130,7 @@ class BagiStrain final : public Postprocessor {
     const std::uint8_t all = view.dimension == 2 ? dof::x | dof::y : dof::x | dof::y | dof::z;
     for (const Index k : kept_) {
       radius.push_back(p.radius[k]);
-      rigid.push_back((held_[k] & all) == all);
+      rigid.push_back(!held_.empty() && (held_[k] & all) == all);
     }
     mean_ = MeanStrain(view.dimension, of_kept(now, position_), radius, config_.hull_gap * 2 * mean_radius, rigid);
   }
