@@ -31,14 +31,20 @@ BRECCIA_KERNEL void gather(const PairBatch& b, std::size_t first, std::size_t n,
     g.wjx[k] = wj[0];
     g.wjy[k] = wj[1];
     g.wjz[k] = wj[2];
+  }
+  // A loop of its own: in one there are more arrays than registers for their addresses.
+  for (std::size_t k = 0; k < n; ++k) {
+    const Index i = b.i[first + k], j = b.j[first + k];
     g.ri[k] = b.radius[i];
     g.rj[k] = b.radius[j];
-    g.rest[k] = b.rest_length[first + k];
     if constexpr (with_mass) {
       g.mi[k] = b.mass[i];
       g.mj[k] = b.mass[j];
     }
-    g.intact[k] = b.state[first + k] == BondState::intact ? 1.0 : 0.0;
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    g.rest[k] = b.rest_length[first + k];
+    g.intact[k] = double(b.state[first + k] == BondState::intact);
   }
   if constexpr (guarded)
     for (std::size_t k = 0; k < n; ++k) g.may_break[k] = b.guarded[first + k] ? 0.0 : g.intact[k];
@@ -50,58 +56,31 @@ BRECCIA_VECTOR_CLONES void gather_chunk(const PairBatch& b, std::size_t first, s
   else with_mass ? gather<true, false>(b, first, n, g) : gather<false, false>(b, first, n, g);
 }
 
-/// Torques of the pairs of a chunk on either end: lever arm times n x shear force, and the moment. As
-/// `complete_forces` has them for particles that are summed apart: from sums over the laws.
-struct alignas(64) Torques {
-  static constexpr std::size_t n = PairChunk::capacity;
-  double ix[n], iy[n], iz[n], jx[n], jy[n], jz[n];
-};
-
-template <bool moments>
-BRECCIA_KERNEL void torques_of(const PairChunk& g, const PairAnswer& e, std::size_t n, Torques& t) {
-#pragma omp simd
-  for (std::size_t k = 0; k < n; ++k) {
-    const double ai = g.ri[k] + e.half_gap[k], aj = g.rj[k] + e.half_gap[k];
-    t.ix[k] = ai * e.tx[k];
-    t.iy[k] = ai * e.ty[k];
-    t.iz[k] = ai * e.tz[k];
-    t.jx[k] = aj * e.tx[k];
-    t.jy[k] = aj * e.ty[k];
-    t.jz[k] = aj * e.tz[k];
-    if constexpr (moments) {
-      t.ix[k] += e.mx[k];
-      t.iy[k] += e.my[k];
-      t.iz[k] += e.mz[k];
-      t.jx[k] -= e.mx[k];
-      t.jy[k] -= e.my[k];
-      t.jz[k] -= e.mz[k];
-    }
-  }
-}
-
-/// Adds a chunk to the sums of its particles, pair by pair.
-template <bool some_apart>
-BRECCIA_KERNEL void add_up(const PairBatch& b, std::size_t first, std::size_t n, const PairAnswer& e,
-                           const Torques& torque) {
-  for (std::size_t k = 0; k < n; ++k) {
+/// Adds a chunk to the sums of its particles, pair by pair. Torques: lever arm times n x shear force, and the moment,
+/// as `complete_forces` has them for particles that are summed apart: from sums over the laws.
+template <bool moments, bool some_apart>
+BRECCIA_KERNEL void add_up(const PairBatch& b, std::size_t first, const PairChunk& g, const PairAnswer& e) {
+  for (std::size_t k = 0; k < g.size; ++k) {
     const Index i = b.i[first + k], j = b.j[first + k];
     if (!some_apart || !b.apart[i]) {
       double *f = b.sum_force[i].data(), *t = b.sum_torque[i].data();
+      const double arm = g.ri[k] + e.half_gap[k];
       f[0] += e.fx[k];
       f[1] += e.fy[k];
       f[2] += e.fz[k];
-      t[0] += torque.ix[k];
-      t[1] += torque.iy[k];
-      t[2] += torque.iz[k];
+      t[0] += moments ? arm * e.tx[k] + e.mx[k] : arm * e.tx[k];
+      t[1] += moments ? arm * e.ty[k] + e.my[k] : arm * e.ty[k];
+      t[2] += moments ? arm * e.tz[k] + e.mz[k] : arm * e.tz[k];
     }
     if (!some_apart || !b.apart[j]) {
       double *f = b.sum_force[j].data(), *t = b.sum_torque[j].data();
+      const double arm = g.rj[k] + e.half_gap[k];
       f[0] -= e.fx[k];
       f[1] -= e.fy[k];
       f[2] -= e.fz[k];
-      t[0] += torque.jx[k];
-      t[1] += torque.jy[k];
-      t[2] += torque.jz[k];
+      t[0] += moments ? arm * e.tx[k] - e.mx[k] : arm * e.tx[k];
+      t[1] += moments ? arm * e.ty[k] - e.my[k] : arm * e.ty[k];
+      t[2] += moments ? arm * e.tz[k] - e.mz[k] : arm * e.tz[k];
     }
   }
 }
@@ -129,9 +108,8 @@ BRECCIA_VECTOR_CLONES void scatter_chunk(const PairBatch& b, std::size_t first, 
       for (std::size_t k = 0; k < n; ++k) b.moment[first + k] = Vec3(e.mx[k], e.my[k], e.mz[k]);
   }
   if (!b.sum_force) return;
-  Torques t;
-  moments ? torques_of<true>(g, e, n, t) : torques_of<false>(g, e, n, t);
-  some_apart ? add_up<true>(b, first, n, e, t) : add_up<false>(b, first, n, e, t);
+  if (moments) some_apart ? add_up<true, true>(b, first, g, e) : add_up<true, false>(b, first, g, e);
+  else some_apart ? add_up<false, true>(b, first, g, e) : add_up<false, false>(b, first, g, e);
 }
 
 BRECCIA_VECTOR_CLONES void add_dissipated(const PairAnswer& e, std::size_t n, Dissipated& sum) {
@@ -140,36 +118,27 @@ BRECCIA_VECTOR_CLONES void add_dissipated(const PairAnswer& e, std::size_t n, Di
   sum.fracture += lane_sum(e.fracture, n);
 }
 
+BRECCIA_VECTOR_CLONES bool any_breaks(const PairAnswer& e, std::size_t n) { return lane_sum(e.breaks, n) > 0; }
+
 void record_breaks(const PairBatch& b, std::size_t first, std::size_t n, const PairAnswer& e) {
-  double any = 0;
-  for (std::size_t k = 0; k < n; ++k) any += e.breaks[k];
-  if (!(any > 0)) return;
+  if (!any_breaks(e, n)) return;
   b.chunk_broke[first / PairBatch::chunk] = 1;
   for (std::size_t k = 0; k < n; ++k)
     if (e.breaks[k] > 0) b.state[first + k] = static_cast<BondState>(static_cast<int>(e.breaks[k]));
 }
 
-/// Calls `f(first, chunk)` for the chunks of the batch.
+/// Calls `f(first, chunk, rows)` for the chunks of the batch, with their masses; `rows` are all columns from `first`
+/// on.
 template <class F>
-void for_each_chunk(const PairBatch& b, F&& f) {
+void for_each_chunk(const PairBatch& b, std::size_t columns, F&& f) {
   PairChunk chunk;
+  std::vector<double*> rows(columns);
   for (std::size_t first = b.begin; first < b.end; first += PairBatch::chunk) {
     gather_chunk(b, first, std::min(PairBatch::chunk, b.end - first), true, chunk);
-    f(first, chunk);
+    for (std::size_t c = 0; c < columns; ++c) rows[c] = b.columns[c] + first;
+    f(first, chunk, rows.data());
   }
 }
-
-/// A law's columns from row `first` on.
-class Rows {
- public:
-  Rows(const PairBatch& b, std::size_t first_column, std::size_t columns, std::size_t first) : at_(columns) {
-    for (std::size_t c = 0; c < columns; ++c) at_[c] = b.columns[first_column + c] + first;
-  }
-  double* const* data() const { return at_.data(); }
-
- private:
-  std::vector<double*> at_;
-};
 
 }  // namespace
 
@@ -202,11 +171,8 @@ void Interactions::prepare(const Assembly& assembly) {
 }
 
 void Interactions::initialise(const PairBatch& b) const {
-  for_each_chunk(b, [&](std::size_t first, const PairChunk& chunk) {
-    for (std::size_t l = 0; l < laws_.size(); ++l) {
-      const std::size_t own = (l + 1 < laws_.size() ? first_column_[l + 1] : columns_) - first_column_[l];
-      laws_[l].law->initialise(chunk, Rows(b, first_column_[l], own, first).data());
-    }
+  for_each_chunk(b, columns_, [&](std::size_t, const PairChunk& chunk, double* const* rows) {
+    for (std::size_t l = 0; l < laws_.size(); ++l) laws_[l].law->initialise(chunk, rows + first_column_[l]);
   });
 }
 
@@ -232,12 +198,13 @@ void Interactions::evaluate(const PairBatch& b) const {
 }
 
 void Interactions::stiffness(const PairBatch& b, ContactStiffness* out) const {
-  for_each_chunk(b, [&](std::size_t first, const PairChunk& chunk) {
+  for_each_chunk(b, 0, [&](std::size_t first, const PairChunk& chunk, double* const*) {
     ContactStiffness* to = out + (first - b.begin);
-    ContactStiffness one[PairChunk::capacity];
-    for (std::size_t l = 0; l < laws_.size(); ++l) {
+    laws_.front().law->stiffness(chunk, to);
+    for (std::size_t l = 1; l < laws_.size(); ++l) {
+      ContactStiffness one[PairChunk::capacity];
       laws_[l].law->stiffness(chunk, one);
-      for (std::size_t k = 0; k < chunk.size; ++k) to[k] = l == 0 ? one[k] : to[k] + one[k];
+      for (std::size_t k = 0; k < chunk.size; ++k) to[k] = to[k] + one[k];
     }
   });
 }
@@ -250,10 +217,9 @@ double Interactions::energy(const PairBatch& b) const {
 
 double Interactions::energy(const PairBatch& b, std::size_t l) const {
   double sum = 0;
-  const std::size_t own = (l + 1 < laws_.size() ? first_column_[l + 1] : columns_) - first_column_[l];
-  for_each_chunk(b, [&](std::size_t first, const PairChunk& chunk) {
+  for_each_chunk(b, columns_, [&](std::size_t, const PairChunk& chunk, double* const* rows) {
     double of_pair[PairChunk::capacity];
-    laws_[l].law->energy(chunk, Rows(b, first_column_[l], own, first).data(), of_pair);
+    laws_[l].law->energy(chunk, rows + first_column_[l], of_pair);
     for (std::size_t k = 0; k < chunk.size; ++k) sum += of_pair[k];
   });
   return sum;

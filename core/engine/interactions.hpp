@@ -28,7 +28,6 @@ class Interactions {
   std::size_t size() const { return laws_.size(); }
   std::string names() const;  ///< "`a` and `b`", for messages
   std::size_t columns() const { return columns_; }
-  std::size_t first_column(std::size_t law) const { return first_column_[law]; }
   bool has_moments() const { return has_moments_; }
   bool makes_bonds() const { return makes_bonds_; }
   bool respects_protection() const { return respects_protection_; }  ///< the law that makes bonds does

@@ -7,12 +7,11 @@
 
 namespace breccia {
 
-/// Pairs as the engine gathered them. Entries from `size` on have no meaning. n points from i to j.
+/// Pairs as the engine gathered them. Entries from `size` on have no meaning. n points from i to j. The arrays come
+/// first: each begins at a cache line, which a vector load would else straddle.
 struct alignas(64) PairChunk {
   static constexpr std::size_t capacity = 64;
   static constexpr std::size_t n = capacity;
-  std::size_t size = 0;
-  double time_step = 0;                                   // [s]
   double dx[n], dy[n], dz[n];                             ///< branch vector, from i to j [m]
   double vx[n], vy[n], vz[n];                             ///< velocity of j less that of i [m/s]
   double wix[n], wiy[n], wiz[n], wjx[n], wjy[n], wjz[n];  ///< spins [rad/s]
@@ -22,6 +21,8 @@ struct alignas(64) PairChunk {
   double intact[n];                                       ///< 1 while the bond holds, else 0
   double may_break[n];                                    ///< 0 also for bonds that are protected
   const double* breakable = intact;                       ///< `intact` where no bond is protected
+  std::size_t size = 0;
+  double time_step = 0;  // [s]
   PairChunk() = default;
   PairChunk(const PairChunk&) = delete;
   PairChunk& operator=(const PairChunk&) = delete;

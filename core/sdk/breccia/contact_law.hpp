@@ -4,21 +4,22 @@
 /// A law is a small, trivially copyable struct over scalars, written once (see `plugins/contact_law/elastic_brittle`):
 ///
 ///   struct MyLaw {
-///     struct Config { ... };                                    // what the workflow says, checked and documented
+///     struct Config { ... };  // what the workflow says, checked and documented
 ///     static void describe(Schema<Config>&);
-///     struct State { double spring_x, spring_y, spring_z; };    // history of one pair, doubles only
+///     struct State { double spring_x, spring_y, spring_z; };  // history of one pair, doubles only
 ///     static constexpr std::array columns{StateColumn<State>{&State::spring_x, "shear_spring_x", "m"}, ...};
-///     static constexpr bool has_moments = false;
-///     static constexpr bool respects_protection = true;         // bonds with `breakable` 0 are never damaged or
-///     broken MyLaw(const Config&, const Assembly&);                    // derive constants once BRECCIA_KERNEL State
-///     initial(const Contact&) const; BRECCIA_KERNEL ContactForce operator()(const Contact&, State&) const;   // no
-///     branches: use ?: so that it vectorises BRECCIA_KERNEL double energy(const Contact&, const State&) const; //
-///     stored, recoverable [J] BRECCIA_KERNEL ContactStiffness stiffness(const Contact&) const;        // for the time
-///     step
+///     MyLaw(const Config&, const Assembly&);  // derives constants, once
+///     BRECCIA_KERNEL State initial(const Contact&) const;
+///     BRECCIA_KERNEL ContactForce operator()(const Contact&, State&) const;  // no branches: ?: vectorises
+///     BRECCIA_KERNEL double energy(const Contact&, const State&) const;      // stored, recoverable [J]
+///     BRECCIA_KERNEL ContactStiffness stiffness(const Contact&) const;       // for the time step
 ///   };
 ///   BRECCIA_CONTACT_LAW(MyLaw, "my_law")
 ///
-/// The loop over pairs is a template instantiated inside the plugin: one virtual call per batch, none per pair.
+/// It may also say, as `static constexpr bool`: `has_moments` (false), `needs_mass` (false), `makes_bonds` (true; of a
+/// list of laws only one may), `respects_protection` (false; true: bonds whose `breakable` is 0 are never damaged).
+///
+/// The loop over the pairs of a chunk is a template instantiated inside the plugin: one virtual call per 64 pairs.
 #pragma once
 
 #include <array>
