@@ -35,7 +35,7 @@ bool is_workflow(const std::string& target) {
 PairConfig read_target(const DriveArguments& a, Registry& registry) {
   if (is_workflow(a.target)) {
     const Workflow w = load_workflow(a.target, a.overrides, registry).workflow;
-    return {w.contact_law, w.material, w.dimension, w.thickness};
+    return {w.contact_law, {w.material_list().front().density}, w.dimension, w.thickness};
   }
   registry.documentation("contact_law", a.target);  // UserError for a name that no law has
   Schema<PairConfig> schema;

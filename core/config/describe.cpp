@@ -28,7 +28,8 @@ std::string value_text(const ParamSpec& spec) {
   const std::string unit = " [" + (spec.unit == "1" ? "-" : spec.unit) + "]";
   switch (spec.type) {
     case ParamType::quantity:
-      return spec.unit == "1" ? "number" : "quantity" + unit;
+      return (spec.unit == "1" ? "number" : "quantity" + unit) +
+             (spec.per_bond ? ", or a distribution of which each bond draws" : "");
     case ParamType::quantity_list:
       return join({"list of " + (spec.unit == "1" ? "numbers" : "quantities" + unit), items_text(spec)}, ", ");
     case ParamType::text_list:
@@ -47,6 +48,10 @@ std::string value_text(const ParamSpec& spec) {
       return "true or false";
     case ParamType::group:
       return "mapping";
+    case ParamType::group_map:
+      return "mapping of names to mappings";
+    case ParamType::quantity_map:
+      return "mapping of names to " + (spec.unit == "1" ? "numbers" : "quantities" + unit);
     case ParamType::free_form:
       return "mapping of anything";
     case ParamType::path:
@@ -78,7 +83,12 @@ void add_text(std::string& out, const ParamSpec& group, int indent) {
       out += pad + "    " + choice.name + (choice.doc.empty() ? "" : ": " + choice.doc) + "\n";
     if (!p.example.empty()) out += pad + "    for instance " + p.name + ": " + p.example + "\n";
     if (!p.source.empty()) out += pad + "    source: " + p.source + "\n";
-    add_text(out, p, indent + 4);
+    if (p.changes_section) {
+      out += pad + "    " + p.members.front().name + ": " + p.members.front().doc + "; for instance " +
+             p.members.front().example + "\n" + pad + "    and any of the parameters above\n";
+    } else {
+      add_text(out, p, indent + 4);
+    }
   }
   for (const std::string& rule : rules_of(group)) out += pad + "rule: " + rule + "\n";
 }
@@ -100,14 +110,21 @@ void add_rows(std::string& out, const ParamSpec& group, const std::string& prefi
     out += "| `" + prefix + p.name + "` | " + cell(value_text(p)) + " | " + cell(range_text(p)) + " | " +
            (fallback.empty() ? (p.required ? "required" : "optional") : "`" + cell(fallback) + "`") + " | " +
            cell(join(about, "; ")) + " |\n";
-    add_rows(out, p, prefix + p.name + (p.type == ParamType::group_list ? "[]." : "."));
+    ParamSpec below = p;
+    if (p.changes_section) below.members.resize(1);  // the others stand above
+    add_rows(out, below,
+             prefix + p.name +
+                 (p.type == ParamType::group_list  ? "[]."
+                  : p.type == ParamType::group_map ? ".NAME."
+                                                   : "."));
   }
 }
 
 void add_rules(std::string& out, const ParamSpec& group, const std::string& prefix) {
   for (const std::string& rule : rules_of(group))
     out += "- " + (prefix.empty() ? "" : "`" + prefix + "`: ") + rule + "\n";
-  for (const ParamSpec& p : group.members) add_rules(out, p, prefix.empty() ? p.name : prefix + "." + p.name);
+  for (const ParamSpec& p : group.members)
+    if (!p.changes_section) add_rules(out, p, prefix.empty() ? p.name : prefix + "." + p.name);
 }
 
 Json bound_json(const Bound& bound) { return {{"value", bound.value}, {"inclusive", bound.inclusive}}; }
@@ -128,6 +145,8 @@ Json param_json(const ParamSpec& p) {
   if (p.min_items > 0) j["min_items"] = p.min_items;
   if (p.max_items != SIZE_MAX) j["max_items"] = p.max_items;
   if (!p.plugin_kind.empty()) j["plugin_kind"] = p.plugin_kind;
+  if (p.per_bond) j["per_bond"] = true;
+  if (p.changes_section) j["changes_section"] = true;
   if (!p.members.empty()) add_members_json(j, p);
   return j;
 }
@@ -172,6 +191,10 @@ std::string type_name(ParamType type) {
       return "free_form";
     case ParamType::text_list:
       return "text_list";
+    case ParamType::group_map:
+      return "group_map";
+    case ParamType::quantity_map:
+      return "quantity_map";
   }
   return {};
 }

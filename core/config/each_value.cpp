@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "config/distribution_spec.hpp"
 #include "config/yaml_tree.hpp"
 
 namespace breccia {
@@ -31,6 +32,18 @@ class Walk {
         return plugin(spec, path, value);
       case ParamType::plugin_stack:
         return member(spec.as_given(value.is_array()), path, value);
+      case ParamType::group_map:
+        for (const auto& [name, item] : value.items()) members(spec, member_path(path, name), value[name]);
+        return;
+      case ParamType::quantity_map: {
+        ParamSpec one = spec;
+        one.type = ParamType::quantity;
+        for (const auto& [name, item] : value.items()) visit_(one, member_path(path, name), value[name]);
+        return;
+      }
+      case ParamType::quantity:
+        if (spec.per_bond && value.is_object()) return members(distribution_spec(spec), path, value);
+        return visit_(spec, path, value);
       case ParamType::group_list:
         for (std::size_t k = 0; k < value.size(); ++k) members(spec, item_path(path, k), value[k]);
         return;

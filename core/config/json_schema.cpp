@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "config/describe.hpp"
+#include "config/distribution_spec.hpp"
 #include "config/listed_plugin.hpp"
 #include "config/shorthand.hpp"
 #include "config/to_yaml.hpp"
@@ -140,7 +141,8 @@ class SchemaWriter {
   Json bare_value(const ParamSpec& spec, Extent extent) const {
     switch (spec.type) {
       case ParamType::quantity:
-        return quantity(spec);
+        if (!spec.per_bond) return quantity(spec);
+        return {{"anyOf", Json::array({quantity(spec), group(distribution_spec(spec), extent)})}};
       case ParamType::quantity_list:
         return list(quantity(spec), spec);
       case ParamType::integer:
@@ -168,6 +170,10 @@ class SchemaWriter {
         Json several = list(plugin(spec, Extent::whole), spec.as_given(true));
         return {{"if", {{"type", "array"}}}, {"then", several}, {"else", one}};
       }
+      case ParamType::group_map:
+        return {{"type", "object"}, {"additionalProperties", group(spec, extent)}};
+      case ParamType::quantity_map:
+        return {{"type", "object"}, {"additionalProperties", quantity(spec)}};
       case ParamType::free_form:
         return {{"type", "object"}};
     }

@@ -119,6 +119,8 @@ class Merger {
   const ParamSpec* group_of(const ParamSpec* spec, const YamlNode& mapping) const {
     if (!spec) return nullptr;
     if (spec->type == ParamType::group || spec->type == ParamType::group_list) return spec;
+    // Of the user's own names nothing excludes another; what stands below a name is a group that is merged as it is.
+    if (spec->type == ParamType::group_map) return nullptr;
     const bool is_plugin = spec->type == ParamType::plugin || spec->type == ParamType::plugin_list ||
                            spec->type == ParamType::plugin_stack;
     const std::string* type = is_plugin ? plugin_type(mapping) : nullptr;

@@ -193,9 +193,9 @@ Json read_section(const BaseChain& chain, const ParamSpec& root, const std::stri
 }
 
 Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins,
-                 const ValuesOnTop& on_top) {
+                 const ValuesOnTop& on_top, const std::function<Issues(const Json&)>& root_rules) {
   Laid all = laid(chain, root, plugins, on_top);
-  return checked(all.tree, all.files, std::move(all.findings), root, plugins);
+  return checked(all.tree, all.files, std::move(all.findings), root, plugins, root_rules);
 }
 
 Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins,

@@ -35,7 +35,7 @@ std::vector<std::string> variants_of(const BaseChain& chain);
 /// The same with the values that a study gives in place of those of the command line. Relative paths in them start at
 /// the study's folder.
 Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins,
-                 const ValuesOnTop& on_top);
+                 const ValuesOnTop& on_top, const std::function<Issues(const Json&)>& root_rules = {});
 
 /// One member of `root` alone, by the same way of merging, variant and overrides included, and in the same form: for
 /// what must be known before the plugins are (the section that names them). Null when it is absent or not in order,

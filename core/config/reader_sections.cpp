@@ -40,6 +40,12 @@ Json SectionReader::read(const ParamSpec& spec, const YamlNode& node, const Site
       return check_mapping(node, site, spec) ? read_plugin(spec, node, site, In::section) : Json();
     case ParamType::free_form:
       return check_mapping(node, site, spec) ? plain_json(node) : Json();
+    case ParamType::group_map:
+    case ParamType::quantity_map:
+      return check_mapping(node, site, spec) ? read_map(spec, node, site) : Json();
+    case ParamType::quantity:
+      return spec.per_bond && node.kind == YamlNode::Kind::mapping ? read_distribution(spec, node, site)
+                                                                   : read_scalar(spec, node, site);
     case ParamType::quantity_list:
     case ParamType::text_list:
     case ParamType::group_list:
@@ -72,7 +78,9 @@ Json SectionReader::read_members(const ParamSpec& group, const YamlNode& node, c
   for (const ParamSpec& member : group.members) {
     const std::string path = member_path(site.path, member.name);
     if (const YamlEntry* entry = node.find(member.name)) {
-      all[member.name] = read(member, *entry->value, {path, entry->place});
+      all[member.name] = member.changes_section
+                             ? read_changes(member, group, node, *entry->value, {path, entry->place}, own_key)
+                             : read(member, *entry->value, {path, entry->place});
     } else if (is_decided_otherwise(group, member.name, node)) {
       continue;
     } else if (!member.fallback.is_null()) {
@@ -251,6 +259,7 @@ Json SectionReader::read_plugin(const ParamSpec& spec, const YamlNode& node, con
     config = read_members(where == In::list ? as_listed(root) : root, node, site, "type");
     if (where == In::list && takes_name(root)) check_name(node, config, site);
     if (findings_.size() == before) add_issues(plugins_.check(spec.plugin_kind, name, config), node, site);
+    if (findings_.size() == before) check_changes(root, spec.plugin_kind, name, config, node, site);
   } catch (const UserError& error) {
     report(node.find("type")->value->place, member_path(site.path, "type"), error.what());
     return nullptr;

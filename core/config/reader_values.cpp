@@ -55,7 +55,7 @@ std::string placeholder(const ParamSpec& spec) { return spec.type == ParamType::
 std::string wanted_value(const ParamSpec& spec) {
   switch (spec.type) {
     case ParamType::quantity:
-      return dimension_name(spec.unit);
+      return dimension_name(spec.unit) + (spec.per_bond ? ", or a distribution" : "");
     case ParamType::quantity_list:
       return "a list (`[..., ...]`), each item " + dimension_name(spec.unit);
     case ParamType::integer:
@@ -82,6 +82,10 @@ std::string wanted_value(const ParamSpec& spec) {
       return "a mapping that begins with `type: NAME`, or a list of such";
     case ParamType::plugin_list:
       return "a list of items that begin with `- type: NAME`";
+    case ParamType::group_map:
+      return "a mapping of names to mappings (`NAME: {key: value}`)";
+    case ParamType::quantity_map:
+      return "a mapping of names to values, each " + dimension_name(spec.unit);
     case ParamType::free_form:
       return "a mapping (`key: value` lines)";
   }

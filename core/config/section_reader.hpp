@@ -47,6 +47,13 @@ class SectionReader {
                           const std::set<std::string>& meant);
   bool is_decided_otherwise(const ParamSpec& group, const std::string& member, const YamlNode& node) const;
   void report_missing(const ParamSpec& member, const Site& site);
+  // reader_maps.cpp
+  Json read_map(const ParamSpec& spec, const YamlNode& node, const Site& site);
+  Json read_distribution(const ParamSpec& spec, const YamlNode& node, const Site& site);
+  Json read_changes(const ParamSpec& list, const ParamSpec& group, const YamlNode& section, const YamlNode& node,
+                    const Site& site, std::string_view own_key);
+  void check_changes(const ParamSpec& group, const std::string& kind, const std::string& name, const Json& config,
+                     const YamlNode& node, const Site& site);
   // reader_names.cpp
   void check_name(const YamlNode& plugin, const Json& section, const Site& site);
   void check_twins(const ParamSpec& list, const Json& all, const std::vector<Site>& sites);

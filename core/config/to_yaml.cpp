@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "config/distribution_spec.hpp"
 #include "config/units.hpp"
 
 namespace breccia {
@@ -16,6 +17,7 @@ class TreeWriter {
   YamlPtr write(const ParamSpec& spec, const Json& value) const {
     switch (spec.type) {
       case ParamType::quantity:
+        if (spec.per_bond && value.is_object()) return members(distribution_spec(spec), value);
         return value.is_number() ? quantity(spec, value) : as_it_stands(value);
       case ParamType::quantity_list:
         return list(value, [&](const Json& item) { return quantity(spec, item); });
@@ -23,6 +25,10 @@ class TreeWriter {
         return members(spec, value);
       case ParamType::group_list:
         return list(value, [&](const Json& item) { return members(spec, item); });
+      case ParamType::group_map:
+        return map(value, [&](const Json& item) { return members(spec, item); });
+      case ParamType::quantity_map:
+        return map(value, [&](const Json& item) { return quantity(spec, item); });
       case ParamType::plugin:
         return plugin(spec, value);
       case ParamType::plugin_list:
@@ -57,6 +63,13 @@ class TreeWriter {
     if (!value.is_array()) return as_it_stands(value);
     auto node = make(YamlNode::Kind::sequence);
     for (const Json& element : value) node->items.push_back(item(element));
+    return node;
+  }
+  template <class Item>
+  YamlPtr map(const Json& value, Item&& item) const {
+    if (!value.is_object()) return as_it_stands(value);
+    auto node = make(YamlNode::Kind::mapping);
+    for (const auto& [key, element] : value.items()) node->entries.push_back({key, place_, item(element)});
     return node;
   }
   YamlPtr members(const ParamSpec& group, const Json& value, const char* own_key = "") const {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <numeric>
 
 #include "engine/specimen.hpp"
@@ -62,11 +61,14 @@ std::vector<Index> morton_order(std::span<const Vec3> points) {
   return order;
 }
 
-State assemble(const PackedParticles& packing, const Material& material, int dimension, double thickness) {
+State assemble(const PackedParticles& packing, const Materials& materials, int dimension, double thickness) {
   refuse_bad(packing);
+  BRECCIA_ASSERT(!materials.list.empty() && materials.list.size() <= Materials::most);
+  BRECCIA_ASSERT(materials.of_particle.empty() || materials.of_particle.size() == packing.radius.size());
   State s;
   s.dimension = dimension;
   s.thickness = thickness;
+  for (const Material& m : materials.list) s.materials.push_back(m.name);
   Particles& p = s.particles;
   const std::vector<Index> order = morton_order(packing.position);
   const std::size_t n = order.size();
@@ -74,16 +76,18 @@ State assemble(const PackedParticles& packing, const Material& material, int dim
     const double r = packing.radius[k];
     if (dimension == 2 && packing.position[k].z() != 0)
       throw UserError("a two-dimensional packing must lie in the plane z = 0");
-    const double m = dimension == 2 ? material.density * std::numbers::pi * r * r * thickness
-                                    : material.density * 4.0 / 3.0 * std::numbers::pi * r * r * r;
+    const std::uint8_t of = materials.of_particle.empty() ? std::uint8_t(0) : materials.of_particle[k];
+    const double m = materials.list.at(of).density * s.solid_volume(r);
     if (!std::isnormal(m * r * r) || !std::isnormal(m))
-      throw UserError("particle " + std::to_string(k) + " of the packing, of radius " + number(r) +
-                      " m, has a mass of " + number(m) +
-                      " kg, which cannot be reckoned with: check radii and material.density");
+      throw UserError(
+          "particle " + std::to_string(k) + " of the packing, of radius " + number(r) + " m, has a mass of " +
+          number(m) + " kg, which cannot be reckoned with: check radii and " +
+          (materials.list.size() == 1 ? "material.density" : "materials." + materials.list[of].name + ".density"));
     p.position.push_back(packing.position[k]);
     p.radius.push_back(r);
     p.mass.push_back(m);
-    p.inertia.push_back((dimension == 2 ? 0.5 : 0.4) * m * r * r);
+    p.inertia.push_back(m * s.gyration(r));
+    if (materials.list.size() > 1) p.material.push_back(of);
     p.id.push_back(k);
   }
   for (auto* field : {&p.velocity, &p.angular_velocity, &p.force, &p.torque, &p.applied_force})

@@ -9,12 +9,23 @@ namespace breccia {
 
 struct Material {
   double density;  // [kg/m3]
+  std::string name = "material";
+};
+
+/// Those of a packing, and which of them each of its particles is made of: all of the first where `of_particle` is
+/// empty.
+struct Materials {
+  std::vector<Material> list;
+  std::vector<std::uint8_t> of_particle;
+  static constexpr std::size_t most = 255;
+  Materials() = default;
+  Materials(double density) : list{{density}} {}  ///< one for all
 };
 
 /// Particles of the packing, Morton-ordered so that neighbours are near in memory; masses of spheres, or of discs of
 /// the given thickness in two dimensions (held in the plane z = 0). UserError for an empty packing, a value that is
 /// not finite or a radius that is not positive.
-State assemble(const PackedParticles& packing, const Material& material, int dimension, double thickness);
+State assemble(const PackedParticles& packing, const Materials& materials, int dimension, double thickness);
 
 /// Order of the points along a Morton curve: result[k] is the k-th point. Ties keep their order.
 std::vector<Index> morton_order(std::span<const Vec3> points);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "breccia/error.hpp"
+#include "engine/counter_random.hpp"
 
 namespace breccia {
 namespace {
@@ -45,6 +46,13 @@ BRECCIA_KERNEL void gather(const PairBatch& b, std::size_t first, std::size_t n,
   for (std::size_t k = 0; k < n; ++k) {
     g.rest[k] = b.rest_length[first + k];
     g.intact[k] = double(b.state[first + k] == BondState::intact);
+  }
+  g.mixed = false;
+  if (b.material) {
+    for (std::size_t k = 0; k < n; ++k) {
+      g.kind[k] = kind_of_pair(b.material[b.i[first + k]], b.material[b.j[first + k]], b.materials);
+      g.mixed |= g.kind[k] != g.kind[0];
+    }
   }
   if constexpr (guarded)
     for (std::size_t k = 0; k < n; ++k) g.may_break[k] = b.guarded[first + k] ? 0.0 : g.intact[k];
@@ -96,10 +104,9 @@ BRECCIA_KERNEL double lane_sum(const double* v, std::size_t n) {
 }
 
 /// Forces of chunk [first, first + n) to memory where they are wanted, and to the sums of their particles.
-BRECCIA_VECTOR_CLONES void scatter_chunk(const PairBatch& b, std::size_t first, bool moments, const PairChunk& g,
-                                         const PairAnswer& e) {
+BRECCIA_VECTOR_CLONES void scatter_chunk(const PairBatch& b, std::size_t at, std::size_t first, bool moments,
+                                         const PairChunk& g, const PairAnswer& e) {
   const std::size_t n = g.size;
-  const std::size_t at = first / PairBatch::chunk;
   const bool some_apart = b.chunk_apart && b.chunk_apart[at];
   if (b.keep_force || some_apart) {
     for (std::size_t k = 0; k < n; ++k)
@@ -120,9 +127,9 @@ BRECCIA_VECTOR_CLONES void add_dissipated(const PairAnswer& e, std::size_t n, Di
 
 BRECCIA_VECTOR_CLONES bool any_breaks(const PairAnswer& e, std::size_t n) { return lane_sum(e.breaks, n) > 0; }
 
-void record_breaks(const PairBatch& b, std::size_t first, std::size_t n, const PairAnswer& e) {
+void record_breaks(const PairBatch& b, std::size_t at, std::size_t first, std::size_t n, const PairAnswer& e) {
   if (!any_breaks(e, n)) return;
-  b.chunk_broke[first / PairBatch::chunk] = 1;
+  b.chunk_broke[at] = 1;
   for (std::size_t k = 0; k < n; ++k)
     if (e.breaks[k] > 0) b.state[first + k] = static_cast<BondState>(static_cast<int>(e.breaks[k]));
 }
@@ -146,7 +153,8 @@ Interactions::Interactions(std::vector<NamedLaw> laws) : laws_(std::move(laws)) 
   std::string maker;
   for (const NamedLaw& l : laws_) {
     first_column_.push_back(columns_);
-    columns_ += l.law->columns().size();
+    columns_ += l.law->columns().size() + l.scatter.size();
+    has_kinds_ |= !l.of_kind.empty();
     has_moments_ |= l.law->has_moments();
     needs_mass_ |= l.law->needs_mass();
     if (!l.law->makes_bonds()) continue;
@@ -167,10 +175,46 @@ std::string Interactions::names() const {
 }
 
 void Interactions::prepare(const Assembly& assembly) {
-  for (const NamedLaw& l : laws_) l.law->prepare(assembly);
+  for (const NamedLaw& l : laws_) {
+    std::vector<std::string> scattered;
+    for (const ScatteredParameter& p : l.scatter) scattered.push_back(p.name);
+    std::vector<ContactLaw*> all = l.of_kind;
+    all.push_back(l.law);
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    for (ContactLaw* law : all) {
+      law->scatter(scattered);
+      law->prepare(assembly);
+    }
+    if (!l.of_kind.empty()) l.law->take_kinds(l.of_kind);
+  }
+}
+
+/// What a bond was given depends on its two particles and on nothing else.
+void Interactions::draw(const PairBatch& b) const {
+  for (std::size_t l = 0; l < laws_.size(); ++l) {
+    const NamedLaw& law = laws_[l];
+    const std::size_t next = l + 1 < laws_.size() ? first_column_[l + 1] : columns_;
+    for (std::size_t s = 0; s < law.scatter.size(); ++s) {
+      const ScatteredParameter& parameter = law.scatter[s];
+      const std::uint64_t stream = stream_of(law.name + "." + parameter.name);
+      double* column = b.columns[next - law.scatter.size() + s];
+      for (std::size_t k = b.begin; k < b.end; ++k) {
+        const Index i = b.i[k], j = b.j[k];
+        const std::size_t kind =
+            b.material && parameter.of_kind.size() > 1 ? kind_of_pair(b.material[i], b.material[j], b.materials) : 0;
+        const auto& distribution = parameter.of_kind[kind];
+        const Index low = std::min(b.id[i], b.id[j]), high = std::max(b.id[i], b.id[j]);
+        column[k] = distribution && b.state[k] != BondState::unbonded
+                        ? distribution->quantile(uniform(law.seed, stream, low, high)) / distribution->mean
+                        : 1.0;
+      }
+    }
+  }
 }
 
 void Interactions::initialise(const PairBatch& b) const {
+  draw(b);
   for_each_chunk(b, columns_, [&](std::size_t, const PairChunk& chunk, double* const* rows) {
     for (std::size_t l = 0; l < laws_.size(); ++l) laws_[l].law->initialise(chunk, rows + first_column_[l]);
   });
@@ -181,29 +225,30 @@ void Interactions::evaluate(const PairBatch& b) const {
   PairAnswer answer;
   std::vector<double*> rows(columns_);
   const bool clear_moments = has_moments_ && !laws_.front().law->has_moments();  // the first law does not write them
-  for (std::size_t first = b.begin; first < b.end; first += PairBatch::chunk) {
-    const std::size_t n = std::min(PairBatch::chunk, b.end - first);
+  std::size_t at = b.chunk_start ? b.first_chunk : b.begin / PairBatch::chunk, n = 0;
+  for (std::size_t first = b.begin; first < b.end; first += n, ++at) {
+    n = b.chunk_start ? b.chunk_start[at + 1] - first : std::min(PairBatch::chunk, b.end - first);
     gather_chunk(b, first, n, needs_mass_, chunk);
     for (std::size_t c = 0; c < columns_; ++c) rows[c] = b.columns[c] + first;
-    Dissipated* dissipated = b.dissipated + laws_.size() * (first / PairBatch::chunk);
+    Dissipated* dissipated = b.dissipated + laws_.size() * at;
     if (clear_moments)
       for (double* m : {answer.mx, answer.my, answer.mz}) std::fill(m, m + n, 0.0);
     for (std::size_t l = 0; l < laws_.size(); ++l) {
       laws_[l].law->evaluate(chunk, rows.data() + first_column_[l], answer, l > 0);
       add_dissipated(answer, n, dissipated[l]);
     }
-    scatter_chunk(b, first, has_moments_, chunk, answer);
-    if (makes_bonds_) record_breaks(b, first, n, answer);
+    scatter_chunk(b, at, first, has_moments_, chunk, answer);
+    if (makes_bonds_) record_breaks(b, at, first, n, answer);
   }
 }
 
 void Interactions::stiffness(const PairBatch& b, ContactStiffness* out) const {
-  for_each_chunk(b, 0, [&](std::size_t first, const PairChunk& chunk, double* const*) {
+  for_each_chunk(b, columns_, [&](std::size_t first, const PairChunk& chunk, double* const* rows) {
     ContactStiffness* to = out + (first - b.begin);
-    laws_.front().law->stiffness(chunk, to);
+    laws_.front().law->stiffness(chunk, rows, to);
     for (std::size_t l = 1; l < laws_.size(); ++l) {
       ContactStiffness one[PairChunk::capacity];
-      laws_[l].law->stiffness(chunk, one);
+      laws_[l].law->stiffness(chunk, rows + first_column_[l], one);
       for (std::size_t k = 0; k < chunk.size; ++k) to[k] = to[k] + one[k];
     }
   });
@@ -240,6 +285,9 @@ PairBatch whole_batch(State& s, std::vector<double*>& column_pointers) {
   b.angular_velocity = s.particles.angular_velocity.data();
   b.radius = s.particles.radius.data();
   b.mass = s.particles.mass.data();
+  b.id = s.particles.id.data();
+  if (!s.particles.material.empty()) b.material = s.particles.material.data();
+  b.materials = s.materials.size();
   b.force = s.pairs.force.data();
   b.moment = s.pairs.moment.data();
   b.time_step = s.time_step;

@@ -43,6 +43,8 @@ struct OnePair {
       position[e] = s.particles.position[ends[e]];
       radius[e] = s.particles.radius[ends[e]];
       mass[e] = s.particles.mass[ends[e]];
+      id[e] = s.particles.id[ends[e]];
+      if (!s.particles.material.empty()) material[e] = s.particles.material[ends[e]];
     }
     normal = (position[1] - position[0]).normalized();
     position[1] += stretch * normal;
@@ -59,6 +61,9 @@ struct OnePair {
     batch.angular_velocity = still;
     batch.radius = radius;
     batch.mass = mass;
+    batch.id = id;
+    if (!s.particles.material.empty()) batch.material = material;
+    batch.materials = s.materials.size();
     batch.force = &force;
     batch.moment = &moment;
     batch.dissipated = dissipated.data();
@@ -68,7 +73,8 @@ struct OnePair {
   OnePair(const OnePair&) = delete;
   OnePair& operator=(const OnePair&) = delete;
 
-  Index i = 0, j = 1;
+  Index i = 0, j = 1, id[2];
+  std::uint8_t material[2] = {0, 0};
   double rest;
   BondState state;
   std::vector<double> column;

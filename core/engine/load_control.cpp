@@ -28,6 +28,12 @@ BondStiffness Simulation::bond_stiffness() {
   batch.j = b.j.data();
   batch.rest_length = b.initial_distance.data();
   batch.state = bond_state.data();
+  // Of bonds as they were made, with what each was given: pairs may not be there yet.
+  std::vector<std::vector<double>> history(laws_.columns(), std::vector<double>(b.size()));
+  columns.clear();
+  for (auto& c : history) columns.push_back(c.data());
+  batch.columns = columns.data();
+  laws_.initialise(batch);
   std::vector<ContactStiffness> stiffness(b.size());
   laws_.stiffness(batch, stiffness.data());
   BondStiffness result;

@@ -8,10 +8,13 @@
 
 namespace breccia {
 
-/// Pairs [begin, end) of the state's arrays. `begin` is a multiple of `chunk`.
+/// Pairs [begin, end) of the state's arrays.
 struct PairBatch {
-  static constexpr std::size_t chunk = PairChunk::capacity;  ///< and the grain of deterministic sums
+  static constexpr std::size_t chunk = PairChunk::capacity;
   std::size_t begin = 0, end = 0;
+  /// Where each chunk begins, see `Chunks`, and the number of the one that `begin` is of; null: every 64 pairs from 0.
+  const std::size_t* chunk_start = nullptr;
+  std::size_t first_chunk = 0;
   const Index *i = nullptr, *j = nullptr;
   const double* rest_length = nullptr;
   BondState* state = nullptr;
@@ -19,6 +22,9 @@ struct PairBatch {
   double* const* columns = nullptr;       ///< the laws' history, one array each
   const Vec3 *position = nullptr, *velocity = nullptr, *angular_velocity = nullptr;
   const double *radius = nullptr, *mass = nullptr;
+  const std::uint8_t* material = nullptr;  ///< of the particles; null where there is but one
+  std::size_t materials = 1;
+  const Index* id = nullptr;  ///< of the particles, in the packing
   PairForce* force = nullptr;
   Vec3* moment = nullptr;
   bool keep_force = true;  ///< write `force` and `moment` of all chunks, not only of those set apart

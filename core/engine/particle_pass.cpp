@@ -10,7 +10,7 @@
 namespace breccia {
 namespace {
 
-constexpr std::size_t block = 256;  // grain of the sums: never depends on the thread count
+constexpr std::size_t block = particle_block;
 
 /// Advances n velocity vectors, three numbers each, as one vector loop. Bits 0 to 2 of held >> shift: components that
 /// keep their velocity. Yields the energy that damping took, and the work of the hands that hold.

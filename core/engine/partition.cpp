@@ -3,21 +3,19 @@
 
 #include <algorithm>
 
-#include "engine/pair_batch.hpp"
-
 namespace breccia {
 
-Partition make_partition(const State& s, const Incidence& in, int threads) {
-  constexpr std::size_t chunk = PairBatch::chunk;
-  const std::size_t pairs = s.pairs.size(), chunks = (pairs + chunk - 1) / chunk, n = std::size_t(threads);
+Partition make_partition(const State& s, const Incidence& in, const Chunks& chunks, int threads) {
+  const std::size_t pairs = s.pairs.size(), n = std::size_t(threads);
   const Index particles = Index(s.particles.size());
   Partition p;
   p.shares.resize(n);
   p.apart.assign(particles, 0);
-  p.chunk_apart.assign(chunks, 0);
+  p.chunk_apart.assign(chunks.size(), 0);
   for (std::size_t t = 0; t < n; ++t) {
-    p.shares[t].first_pair = std::min(pairs, chunk * (chunks * t / n));
-    p.shares[t].end_pair = std::min(pairs, chunk * (chunks * (t + 1) / n));
+    p.shares[t].first_chunk = chunks.size() * t / n;
+    p.shares[t].first_pair = chunks.start[p.shares[t].first_chunk];
+    p.shares[t].end_pair = chunks.start[chunks.size() * (t + 1) / n];
   }
   for (std::size_t t = 1; t < n; ++t) {
     const std::size_t first = p.shares[t].first_pair;
@@ -32,7 +30,11 @@ Partition make_partition(const State& s, const Incidence& in, int threads) {
         continue;
       share.apart.push_back(a);
       p.apart[a] = 1;
-      for (std::size_t e = begin; e < end; ++e) p.chunk_apart[(in.entry[e] >> 1) / chunk] = 1;
+      for (std::size_t e = begin; e < end; ++e) {
+        const std::size_t pair = in.entry[e] >> 1;
+        const auto next = std::upper_bound(chunks.start.begin(), chunks.start.end(), pair);
+        p.chunk_apart[std::size_t(next - chunks.start.begin()) - 1] = 1;
+      }
     }
   return p;
 }

@@ -2,6 +2,7 @@
 /// Which thread looks after which pairs and particles.
 #pragma once
 
+#include "engine/chunks.hpp"
 #include "engine/neighbours.hpp"
 #include "model/state.hpp"
 
@@ -9,7 +10,7 @@ namespace breccia {
 
 /// What one thread does: whole chunks of pairs, and the particles whose rows begin there.
 struct Share {
-  std::size_t first_pair = 0, end_pair = 0;
+  std::size_t first_pair = 0, end_pair = 0, first_chunk = 0;
   Index first_particle = 0, end_particle = 0;
   std::vector<Index> apart;  ///< those of the particles that have pairs of other shares too
 };
@@ -22,6 +23,6 @@ struct Partition {
   std::vector<std::uint8_t> apart, chunk_apart;  ///< per particle; per chunk of pairs, when it has a pair of one
 };
 
-Partition make_partition(const State& state, const Incidence& incidence, int threads);
+Partition make_partition(const State& state, const Incidence& incidence, const Chunks& chunks, int threads);
 
 }  // namespace breccia

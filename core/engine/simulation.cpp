@@ -85,10 +85,10 @@ void Simulation::rebuild() {
   rebuild_pairs(state_, laws_, skin_, spare_pairs_, settings_.threads);
   rebuild_wall_touches(state_, skin_);
   incidence_ = make_incidence(state_, settings_.threads);
-  partition_ = make_partition(state_, incidence_, settings_.threads);
-  const std::size_t chunks = (state_.pairs.size() + PairBatch::chunk - 1) / PairBatch::chunk;
-  chunk_dissipated_.assign(chunks * laws_.size(), {});
-  chunk_broke_.assign(chunks, 0);
+  chunks_ = make_chunks(state_);
+  partition_ = make_partition(state_, incidence_, chunks_, settings_.threads);
+  chunk_dissipated_.assign(chunks_.size() * laws_.size(), {});
+  chunk_broke_.assign(chunks_.size(), 0);
   if (const auto& guarded = state_.bonds.guarded; !guarded.empty()) {
     guarded_pairs_.assign(state_.pairs.size(), 0);
     for (std::size_t k = 0; k < state_.pairs.size(); ++k)
@@ -172,6 +172,8 @@ void Simulation::forces(bool to_be_viewed) {
   PairBatch all = whole_batch(s, columns_);
   all.dissipated = chunk_dissipated_.data();
   all.chunk_broke = chunk_broke_.data();
+  all.chunk_start = chunks_.start.data();
+  if (!laws_.has_kinds()) all.material = nullptr;  // nobody asks
   if (!guarded_pairs_.empty()) all.guarded = guarded_pairs_.data();
   all.sum_force = s.particles.force.data();
   all.sum_torque = s.particles.torque.data();
@@ -187,6 +189,7 @@ void Simulation::forces(bool to_be_viewed) {
       PairBatch mine = all;
       mine.begin = share.first_pair;
       mine.end = share.end_pair;
+      mine.first_chunk = share.first_chunk;
       clear_forces(s, share);
       if (mine.begin < mine.end) laws_.evaluate(mine);
     }
@@ -204,7 +207,7 @@ void Simulation::record_breaks() {
   for (std::size_t c = 0; c < chunk_broke_.size(); ++c) {
     if (!chunk_broke_[c]) continue;
     chunk_broke_[c] = 0;
-    for (std::size_t k = c * PairBatch::chunk; k < std::min(s.pairs.size(), (c + 1) * PairBatch::chunk); ++k) {
+    for (std::size_t k = chunks_.start[c]; k < chunks_.start[c + 1]; ++k) {
       const Index b = s.pairs.bond[k];
       if (b == PairsView::no_bond || s.bonds.state[b] == s.pairs.state[k]) continue;
       const Index i = s.pairs.i[k];
@@ -258,15 +261,14 @@ void Simulation::fold_chunk_sums() {
 }
 
 double Simulation::elastic_energy() {
-  constexpr std::size_t block = 64 * PairBatch::chunk;  // grain of the sum: never depends on the thread count
   std::vector<double*> columns;
   const PairBatch all = whole_batch(state_, columns);
-  std::vector<double> sums((all.end + block - 1) / block);
+  std::vector<double> sums(chunks_.blocks());
 #pragma omp parallel for schedule(static) num_threads(settings_.threads)
   for (std::size_t b = 0; b < sums.size(); ++b) {
     PairBatch mine = all;
-    mine.begin = b * block;
-    mine.end = std::min(all.end, (b + 1) * block);
+    mine.begin = chunks_.start[chunks_.block_start[b]];
+    mine.end = chunks_.start[chunks_.block_start[b + 1]];
     sums[b] = laws_.energy(mine);
   }
   const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
@@ -288,7 +290,8 @@ ParticlesView Simulation::particles() const {
           p.radius,
           p.mass,
           p.held,
-          p.id};
+          p.id,
+          p.material};
 }
 
 namespace {
@@ -334,6 +337,7 @@ SimulationView Simulation::view() {
     wall_contacts_.push_back({t.particle, t.wall, p.position[t.particle] + arm, t.force});
     ++wall_views_[t.wall].contacts;
   }
+  v.materials = s.materials;
   v.walls = wall_views_;
   v.wall_contacts = wall_contacts_;
   v.specimen = s.specimen;

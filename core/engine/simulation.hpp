@@ -100,6 +100,7 @@ class Simulation final : public LoadControl {
   bool mass_pending_ = false, look_at_all_ = false;
   Pairs spare_pairs_;  ///< of the last rebuild: its memory is used again
   Incidence incidence_;
+  Chunks chunks_;
   Partition partition_;
   std::vector<double*> columns_;
   std::vector<Dissipated> chunk_dissipated_;  ///< of each chunk, law by law

@@ -23,6 +23,7 @@ struct Particles {
   std::vector<double> radius, mass, inertia;  // [m], [kg], [kg m2]
   std::vector<std::uint8_t> held;             ///< bits of `dof`
   std::vector<Index> id;                      ///< row in the packing
+  std::vector<std::uint8_t> material;         ///< row of `State::materials`; empty when there is but one
   std::size_t size() const { return radius.size(); }
 };
 
@@ -79,9 +80,7 @@ struct EnergySums {
   double initial = 0;  ///< elastic + kinetic at the start of loading [J]
 };
 
-struct State {
-  int dimension = 3;
-  double thickness = 1;            // [m]
+struct State : Space {
   double time = 0, time_step = 0;  // [s]
   std::uint64_t step = 0;
   Particles particles;
@@ -96,6 +95,7 @@ struct State {
   EnergySums energy;
   std::vector<Dissipated> dissipated;  ///< since the start of loading, one per contact law; walls are not in it
   SpecimenShape specimen;
+  std::vector<std::string> materials;  ///< names
 };
 
 }  // namespace breccia

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "breccia/utf8.hpp"
+
 namespace breccia {
 
 std::string header_name(const Column& c) {
@@ -15,6 +17,8 @@ std::string header_name(const Column& c) {
     if (!std::isalnum(static_cast<unsigned char>(ch))) ch = '_';
   return c.name + "_" + unit;
 }
+
+std::filesystem::path curve_units_file(std::filesystem::path curves) { return curves.replace_extension(".json"); }
 
 std::size_t CurveTable::add(Column column) {
   BRECCIA_ASSERT(!file_);
@@ -36,6 +40,11 @@ std::span<const double> CurveTable::column(std::string_view name) const {
 }
 
 void CurveTable::open(const std::filesystem::path& path) {
+  // Names and units as data: a header that joins them cannot be taken apart again.
+  Json described = Json::array();
+  for (const Column& c : columns_)
+    described.push_back({{"header", header_name(c)}, {"name", c.name}, {"unit", c.unit}, {"doc", c.doc}});
+  write_file(curve_units_file(path), json_text(described, 1) + "\n");
   file_ = std::make_unique<AtomicFile>(path, true);
   std::string line;
   for (const Column& c : columns_) line += (line.empty() ? "" : ",") + header_name(c);

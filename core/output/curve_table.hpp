@@ -13,6 +13,9 @@ namespace breccia {
 /// Name as it stands in the CSV header: with the unit, unless a pure number ("axial_stress_Pa").
 std::string header_name(const Column& column);
 
+/// Beside `curves.csv` the file `curves.json`: header, name, SI unit and meaning of each column.
+std::filesystem::path curve_units_file(std::filesystem::path curves);
+
 class CurveTable final : public Recorder, public Curves {
  public:
   std::size_t add(Column column) override;
@@ -21,7 +24,7 @@ class CurveTable final : public Recorder, public Curves {
   std::span<const double> column(std::string_view name) const override;
   std::size_t rows() const override { return rows_; }
 
-  /// Starts the file; no column can be added afterwards.
+  /// Writes the file of the units, and starts that of the curves; no column can be added afterwards.
   void open(const std::filesystem::path& path);
   /// Ends the current row and writes it; columns that nobody set are NaN (empty in the file).
   void end_row();

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/results_folder.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <fstream>
 #include <set>
@@ -198,6 +201,19 @@ ResultsFolder::~ResultsFolder() {
     if (!fs::remove(p, ignored)) break;  // only while they are empty
 }
 
+namespace {
+
+/// All that was written to the file system that the folder is on reaches the disk: a power cut after old results went
+/// must not find the new ones half there.
+void reach_the_disk(const fs::path& folder) {
+  const int opened = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (opened < 0) return;
+  (void)syncfs(opened);
+  close(opened);
+}
+
+}  // namespace
+
 void ResultsFolder::take_over(bool finished) {
   try {
     const Manifest before = read_manifest(folder_);
@@ -209,6 +225,7 @@ void ResultsFolder::take_over(bool finished) {
                       (done_ ? "" : ", and the new results are in " + work_.string()));
     if (done_) files.insert(before.files.begin(), before.files.end());
     write_manifest(work_, rules_.kind, files, finished);
+    if (replaces_) reach_the_disk(work_);
     if (is_own_link(folder_ / growing_name)) fs::remove(folder_ / growing_name);
     fs::remove_all(folder_ / arriving_name);
     fs::rename(work_, folder_ / arriving_name);  // from here on these are the results

@@ -111,7 +111,7 @@ void ChecksConfig::describe(Schema<ChecksConfig>& s) {
   s.param("bond_share", &ChecksConfig::bond_share)
       .at_least(0)
       .at_most(1)
-      .fallback(0.01)
+      .fallback(0.1)
       .doc("warns when more than this share of the bonds have deep overlaps, or wide gaps; 1: never");
   s.param("unbonded_share", &ChecksConfig::unbonded_share)
       .at_least(0)

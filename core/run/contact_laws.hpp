@@ -5,21 +5,27 @@
 #include <memory>
 #include <vector>
 
+#include "engine/assembly.hpp"
 #include "engine/interactions.hpp"
 #include "plugin/registry.hpp"
 #include "run/guarded_law.hpp"
 
 namespace breccia {
 
+/// The same with the means of what scatters: for a pair that stands for all.
+PluginStack with_means(PluginStack laws);
+
 class ContactLaws {
  public:
-  /// UserError when two of them make bonds.
-  ContactLaws(const Registry& registry, const PluginStack& choices);
+  /// UserError when two of them make bonds. `materials`: what `between` speaks of; `seed`: of what scatters.
+  ContactLaws(const Registry& registry, const PluginStack& choices, const std::vector<Material>& materials = {{}},
+              std::uint64_t seed = 1);
 
   Interactions interactions() const;  ///< for as long as this lives
-  ContactLaw& law(std::size_t k) const { return *laws_[k]; }
-  const std::string& name(std::size_t law) const { return names_[law]; }
-  std::size_t size() const { return laws_.size(); }
+  ContactLaw& law(std::size_t k) const { return *named_[k].law; }
+  const std::string& name(std::size_t law) const { return named_[law].name; }
+  const NamedLaw& named(std::size_t law) const { return named_[law]; }
+  std::size_t size() const { return named_.size(); }
 
   /// Around calls of the engine: what a law threw within comes out. It goes before what the engine makes of the numbers
   /// that the law did not give.
@@ -43,8 +49,8 @@ class ContactLaws {
     for (auto& law : laws_) law->check();
   }
 
-  std::vector<std::unique_ptr<GuardedLaw>> laws_;
-  std::vector<std::string> names_;
+  std::vector<std::unique_ptr<GuardedLaw>> laws_;  ///< with those for certain materials
+  std::vector<NamedLaw> named_;
 };
 
 }  // namespace breccia

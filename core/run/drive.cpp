@@ -32,7 +32,7 @@ class Drive {
         registry_(registry),
         folder_(folder),
         host_(host),
-        laws_(registry, s.law),
+        laws_(registry, with_means(s.law)),
         start_(s.radius_i + s.radius_j + s.gap) {}
 
   std::vector<std::filesystem::path> operator()() {
@@ -49,7 +49,8 @@ class Drive {
     curves_.close();
     const auto off = energy_error();
     write_summary();  // whole before the charts
-    std::vector<std::filesystem::path> files = {folder_ / "curves.csv", folder_ / "summary.json"};
+    std::vector<std::filesystem::path> files = {folder_ / "curves.csv", curve_units_file(folder_ / "curves.csv"),
+                                                folder_ / "summary.json"};
     const auto charts = draw();
     write_summary();
     files.insert(files.end(), charts.begin(), charts.end());

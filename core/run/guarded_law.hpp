@@ -39,6 +39,14 @@ class GuardedLaw final : public ContactLaw {
   void prepare(const Assembly& assembly) override {
     call("deriving its constants", [&] { law_->prepare(assembly); });
   }
+  void take_kinds(std::span<ContactLaw* const> of_kind) override {
+    std::vector<ContactLaw*> bare;
+    for (ContactLaw* law : of_kind) bare.push_back(static_cast<GuardedLaw*>(law)->law_.get());
+    call("taking the laws of its materials", [&] { law_->take_kinds(bare); });
+  }
+  void scatter(const std::vector<std::string>& parameters) override {
+    call("taking what scatters", [&] { law_->scatter(parameters); });
+  }
   Json derived() const override {
     return call("deriving its constants", [&] { return law_->derived(); });
   }
@@ -48,8 +56,8 @@ class GuardedLaw final : public ContactLaw {
   void evaluate(const PairChunk& chunk, double* const* history, PairAnswer& answer, bool adds) override {
     keep("giving forces", [&] { law_->evaluate(chunk, history, answer, adds); });
   }
-  void stiffness(const PairChunk& chunk, ContactStiffness* of_pair) override {
-    keep("giving stiffnesses", [&] { law_->stiffness(chunk, of_pair); });
+  void stiffness(const PairChunk& chunk, double* const* history, ContactStiffness* of_pair) override {
+    keep("giving stiffnesses", [&] { law_->stiffness(chunk, history, of_pair); });
   }
   void energy(const PairChunk& chunk, double* const* history, double* of_pair) override {
     keep("giving energies", [&] { law_->energy(chunk, history, of_pair); });

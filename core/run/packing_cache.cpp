@@ -40,6 +40,7 @@ Json to_json(const PackedParticles& p) {
   j["outline"] = int(p.outline);
   j["axis"] = {p.axis.x(), p.axis.y(), p.axis.z()};
   j["container_volume"] = p.container_volume;
+  for (const auto& [name, values] : p.columns) j["columns"].push_back({{"name", name}, {"values", values}});
   for (const AskedGot& line : p.report)
     j["report"].push_back({{"name", line.name},
                            {"unit", line.unit},
@@ -59,6 +60,9 @@ PackedParticles from_json(const Json& j) {
   p.outline = static_cast<SpecimenShape::Outline>(j.at("outline").get<int>());
   for (int k = 0; k < 3; ++k) p.axis[k] = j.at("axis").at(std::size_t(k)).get<double>();
   p.container_volume = j.at("container_volume").get<double>();
+  if (j.contains("columns"))
+    for (const Json& c : j.at("columns"))
+      p.columns.emplace_back(c.at("name").get<std::string>(), c.at("values").get<std::vector<double>>());
   if (j.contains("report"))
     for (const Json& line : j.at("report"))
       p.report.push_back({line.at("name").get<std::string>(), line.at("unit").get<std::string>(),
@@ -166,9 +170,16 @@ fs::path default_cache_folder() {
   return {};
 }
 
+std::string why_not(const Packing& packing, const std::string& type, const PackingRequest& request) {
+  const std::string why =
+      calling({Packing::kind, type}, "looking at what is asked for", [&] { return packing.why_not(request); });
+  return why.empty() ? why : "packing " + type + ": " + why;
+}
+
 PackingOutcome obtain_packing(const Registry& registry, const PluginChoice& choice, const PackingRequest& request,
                               const fs::path& cache_folder, Host& host) {
   const auto packing = registry.create<Packing>(choice);
+  if (const std::string why = why_not(*packing, choice.type, request); !why.empty()) throw UserError(why);
   Json key = {{"plugin", registry.info(Packing::kind, choice.type).sha256},
               {"type", choice.type},
               {"config", choice.config},

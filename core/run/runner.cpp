@@ -9,6 +9,7 @@
 #include "breccia/output.hpp"
 #include "breccia/postprocessor.hpp"
 #include "breccia/protocol.hpp"
+#include "breccia/protocol_tools/axial_config.hpp"
 #include "breccia/utf8.hpp"
 #include "config/writer.hpp"
 #include "engine/assembly.hpp"
@@ -17,6 +18,7 @@
 #include "output/curve_table.hpp"
 #include "output/summary_table.hpp"
 #include "run/checks.hpp"
+#include "run/columns.hpp"
 #include "run/contact_laws.hpp"
 #include "run/energy_check.hpp"
 #include "run/frames.hpp"
@@ -61,7 +63,7 @@ class Run {
 
  private:
   void create_plugins() {
-    laws_.emplace(registry_, w_.contact_law);
+    laws_.emplace(registry_, w_.contact_law, w_.material_list(), std::uint64_t(w_.seed));
     protocol_ = registry_.create<Protocol>(w_.protocol);
     std::vector<Listed<Output>> outputs;
     for (const PluginChoice& c : w_.postprocessors) posts_.emplace_back(c, registry_);
@@ -71,8 +73,8 @@ class Run {
 
   void build() {
     const int dimension = int(w_.dimension);
-    packing_ = obtain_packing(registry_, w_.packing, {dimension, w_.thickness, std::uint64_t(w_.seed)},
-                              options_.packing_cache, monitor_);
+    packing_ =
+        obtain_packing(registry_, w_.packing, {w_.space(), std::uint64_t(w_.seed)}, options_.packing_cache, monitor_);
     report_packing();
     EngineSettings settings;
     settings.damping = {w_.damping.translational, w_.damping.rotational};
@@ -82,29 +84,19 @@ class Run {
     settings.skin = w_.engine.skin;
     settings.threads = monitor_.threads();
     laws_->within([&] {
-      simulation_ =
-          std::make_unique<Simulation>(assemble(packing_.particles, {w_.material.density}, dimension, w_.thickness),
-                                       laws_->interactions(), settings);
+      simulation_ = std::make_unique<Simulation>(
+          assemble(packing_.particles, w_.materials_of(packing_.particles), dimension, w_.thickness),
+          laws_->interactions(), settings);
       bonding_ = simulation_->bond(w_.bonding.rule());
     });
     const bool relative = bonding_.measure == GapMeasure::relative;
     monitor_.info(fmt::format(
         "{} bonds: coordination number {:.4f}, {}", simulation_->state().bonds.size(), bonding_.coordination_number,
         relative ? fmt::format("tolerance {:.4f}", bonding_.limit) : fmt::format("gap {:.4g} m", bonding_.limit)));
-    time_column_ = curves_.add({"time", "s", "since the first step"});
     const SimulationView view = simulation_->view();
     check_specimen(view, packing_porosity(), w_.checks, monitor_);
-    laws_->within([&] {
-      calling(protocol_id(), "setting up the test", [&] { protocol_->setup(view, *simulation_, curves_, monitor_); });
-    });
-    for (auto& p : posts_) {
-      NamedRecorder recorder(curves_, p.prefix());
-      p.call("adding its curves", [&](Postprocessor& q) { q.begin(view, recorder, monitor_); });
-    }
-    for (auto& p : posts_)
-      p.call("naming the curves it needs", [&](Postprocessor& q) {
-        for (const std::string& name : q.needed_curves()) (void)NamedCurves(curves_, p.prefix()).column(name);
-      });
+    laws_->within(
+        [&] { time_column_ = add_columns(view, *simulation_, *protocol_, protocol_id(), posts_, curves_, monitor_); });
     frames_->begin(options_.folder, monitor_);
     laws_->within([&] {
       simulation_->prepare();
@@ -265,7 +257,7 @@ class Run {
   }
 
   EnergyLimits energy_limits() {
-    constexpr double strain = 1e-4;  // below, a platen that has just come to touch is all there is
+    constexpr double strain = strain_of_touch;
     const SpecimenShape& specimen = simulation_->state().specimen;
     return {w_.engine.energy_error_warning, w_.engine.energy_error_limit,
             0.5 * simulation_->bond_stiffness().modulus * specimen.volume * double(w_.dimension) * strain * strain};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/workflow.hpp"
 
+#include <algorithm>
+
 #include "breccia/contact_law.hpp"
 #include "breccia/output.hpp"
 #include "breccia/packing.hpp"
@@ -10,8 +12,11 @@
 #include "breccia/utf8.hpp"
 #include "config/reader.hpp"
 #include "config/result_name.hpp"
+#include "config/suggest.hpp"
 #include "plugin/guarded.hpp"
+#include "run/columns.hpp"
 #include "run/contact_laws.hpp"
+#include "run/packing_cache.hpp"
 #include "run/plugin_section.hpp"
 
 namespace breccia {
@@ -20,10 +25,6 @@ namespace fs = std::filesystem;
 
 void PluginPath::describe(Schema<PluginPath>& s) {
   s.param("path", &PluginPath::path).doc("a plugin's shared library, or a folder of them");
-}
-
-void MaterialConfig::describe(Schema<MaterialConfig>& s) {
-  s.param("density", &MaterialConfig::density).unit("kg/m3").above(0).example("2650 kg/m3").doc("of the particles");
 }
 
 void BondingConfig::describe(Schema<BondingConfig>& s) {
@@ -129,6 +130,56 @@ void SamplingConfig::describe(Schema<SamplingConfig>& s) {
           "its peak, so that strength and moduli do not depend on every_steps; 0: no row is added");
 }
 
+std::vector<Material> Workflow::material_list() const {
+  std::vector<Material> list;
+  if (material) list.push_back({material->density});
+  else
+    for (const auto& [key, m] : *materials) list.push_back({m.density, key});
+  return list;
+}
+
+Materials Workflow::materials_of(const PackedParticles& particles) const {
+  Materials all;
+  all.list = material_list();
+  if (material_of) all.of_particle = assign_materials(*material_of, all.list, particles, space(), std::uint64_t(seed));
+  return all;
+}
+
+namespace {
+
+/// Names of materials are those of `materials`, wherever they stand.
+void check_materials(const Workflow& w, Issues& issues) {
+  std::vector<std::string> known;
+  if (w.materials)
+    for (const auto& [name, m] : *w.materials) known.push_back(name);
+  const auto check = [&](const std::string& name, const std::string& where) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) return;
+    issues.push_back({where, known.empty() ? "there are no `materials` in this workflow"
+                                           : "no material is named `" + name + "`" + suggestion(name, known)});
+  };
+  if (w.material_of) {
+    for (const auto& [name, where] : w.material_of->names()) check(name, "material_of." + where);
+    Schema<MaterialOfConfig> schema;
+    MaterialOfConfig::describe(schema);
+    for (const Issue& issue : schema.rules_on(*w.material_of))
+      issues.push_back({"material_of." + issue.path, issue.text});
+  } else if (known.size() > 1) {
+    issues.push_back({"materials", "there are several, and no `material_of` that says which particle is of which"});
+  }
+  for (std::size_t l = 0; l < w.contact_law.plugins.size(); ++l) {
+    const Json& config = w.contact_law.plugins[l].config;
+    if (!config.contains("between")) continue;
+    const std::string law =
+        w.contact_law.plugins.size() == 1 ? "contact_law" : "contact_law[" + std::to_string(l) + "]";
+    for (std::size_t k = 0; k < config["between"].size(); ++k)
+      for (std::size_t m = 0; m < 2; ++m)
+        check(config["between"][k]["materials"][m],
+              law + ".between[" + std::to_string(k) + "].materials[" + std::to_string(m) + "]");
+  }
+}
+
+}  // namespace
+
 void Workflow::describe(Schema<Workflow>& s) {
   const Json none = Json::array(), defaults = Json::object();
   s.summary("A bonded-particle simulation");
@@ -153,7 +204,13 @@ void Workflow::describe(Schema<Workflow>& s) {
       .example("[build/breccia_contact_law.mine.so]")
       .doc("plugins from outside Breccia's own folder, by their files or folders; relative paths start at this file");
   s.param("packing", &Workflow::packing).kind("packing").doc("how the particles are arranged");
-  s.param("material", &Workflow::material).doc("of the particles");
+  s.param("material", &Workflow::material).doc("of all particles");
+  s.param("materials", &Workflow::materials)
+      .items(1, Materials::most)
+      .example("{quartz: {density: 2650 kg/m3}, feldspar: {density: 2560 kg/m3}}")
+      .doc("several, by names; `material_of` says which particle is of which");
+  s.param("material_of", &Workflow::material_of).doc("which particle is made of which of the `materials`");
+  s.exactly_one_of({"material", "materials"});
   s.param("bonding", &Workflow::bonding).doc("which neighbours are glued together before loading");
   s.param("contact_law", &Workflow::contact_law)
       .kind("contact_law")
@@ -189,14 +246,23 @@ void Workflow::describe(Schema<Workflow>& s) {
       .doc("written by Breccia into resolved.yaml: versions and content hashes of what made the result");
 }
 
-const ParamSpec& workflow_schema() {
+namespace {
+
+const Schema<Workflow>& schema_of_workflow() {
   static const Schema<Workflow> schema = [] {
     Schema<Workflow> s;
     Workflow::describe(s);
+    s.check([](const Workflow& w, Issues& issues) { check_materials(w, issues); });
     return s;
   }();
-  return schema.documentation().root;
+  return schema;
 }
+
+Issues rules(const Json& config) { return schema_of_workflow().check(config); }
+
+}  // namespace
+
+const ParamSpec& workflow_schema() { return schema_of_workflow().documentation().root; }
 
 namespace {
 
@@ -207,11 +273,14 @@ void try_plugins(const Workflow& w, const Registry& registry) {
        calling({Packing::kind, w.packing.type}, "naming its files", [&] { return packing->inputs(); }))
     if (!fs::is_regular_file(input))
       throw UserError("packing " + w.packing.type + ": cannot read " + input.string() + ": no such file");
-  ContactLaws(registry, w.contact_law);
+  if (const std::string why = why_not(*packing, w.packing.type, {w.space(), std::uint64_t(w.seed)}); !why.empty())
+    throw UserError(why);
+  ContactLaws(registry, w.contact_law, w.material_list(), std::uint64_t(w.seed));
   registry.create<Protocol>(w.protocol);
   for (const PluginChoice& c : w.postprocessors) registry.create<Postprocessor>(c);
   for (const PluginChoice& c : w.outputs) registry.create<Output>(c);
   for (const PluginChoice& c : w.renderers) registry.create<Renderer>(c);
+  check_curves(w, registry);
 }
 
 /// The results go into a folder of that name below results/, and nowhere else.
@@ -274,12 +343,13 @@ LoadedWorkflow load_workflow(const fs::path& file, const std::vector<std::string
                              const std::string& variant) {
   const BaseChain chain = not_a_study(follow_bases(read_text(file), file.string()), file);
   for (const fs::path& path : plugin_paths(chain, overrides, variant)) registry.add(path);
-  return loaded_from(read_config(chain, workflow_schema(), registry, overrides, {}, variant), chain, registry,
+  return loaded_from(read_config(chain, workflow_schema(), registry, overrides, rules, variant), chain, registry,
                      overrides, variant);
 }
 
 LoadedWorkflow load_workflow(const BaseChain& chain, const ValuesOnTop& on_top, const Registry& registry) {
-  return loaded_from(read_config(chain, workflow_schema(), registry, on_top), chain, registry, {}, on_top.variant);
+  return loaded_from(read_config(chain, workflow_schema(), registry, on_top, rules), chain, registry, {},
+                     on_top.variant);
 }
 
 }  // namespace breccia

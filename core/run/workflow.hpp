@@ -10,17 +10,13 @@
 #include "engine/simulation.hpp"
 #include "plugin/registry.hpp"
 #include "run/checks.hpp"
+#include "run/materials.hpp"
 
 namespace breccia {
 
 struct PluginPath {
   std::filesystem::path path;
   static void describe(Schema<PluginPath>& s);
-};
-
-struct MaterialConfig {
-  double density;
-  static void describe(Schema<MaterialConfig>& s);
 };
 
 struct BondingConfig {
@@ -55,7 +51,9 @@ struct Workflow {
   std::vector<PluginPath> plugins;
   PluginChoice packing, protocol;
   PluginStack contact_law;
-  MaterialConfig material;
+  std::optional<MaterialConfig> material;
+  std::optional<ByName<MaterialConfig>> materials;
+  std::optional<MaterialOfConfig> material_of;
   BondingConfig bonding;
   DampingConfig damping;
   EngineConfig engine;
@@ -65,6 +63,9 @@ struct Workflow {
   Json reference, provenance;
   Json variants;  ///< never set: taken out when the file is read
 
+  std::vector<Material> material_list() const;                   ///< of `material` or `materials`
+  Materials materials_of(const PackedParticles& packing) const;  ///< and which particle is of which
+  Space space() const { return {int(dimension), thickness}; }
   static void describe(Schema<Workflow>& s);
 };
 

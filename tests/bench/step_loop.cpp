@@ -50,9 +50,9 @@ class Case {
 
   Case(const Workflow& w, const Registry& registry, const PackedParticles& packing, int threads)
       : threads_(threads),
-        laws_(registry, w.contact_law),
+        laws_(registry, w.contact_law, w.material_list(), std::uint64_t(w.seed)),
         protocol_(registry.create<Protocol>(w.protocol)),
-        sim_(assemble(packing, {w.material.density}, int(w.dimension), w.thickness), laws_.interactions(),
+        sim_(assemble(packing, w.materials_of(packing), int(w.dimension), w.thickness), laws_.interactions(),
              settings(w, threads)) {
     sim_.bond(w.bonding.rule());
     protocol_->setup(sim_.view(), sim_, curves_, host_);
@@ -130,8 +130,8 @@ void write_json(const std::string& file, const std::vector<std::unique_ptr<Case>
 
 void measure(const Workflow& w, const Registry& registry, const std::vector<int>& threads, const std::string& file) {
   Quiet host;
-  const PackingOutcome packing = obtain_packing(
-      registry, w.packing, {int(w.dimension), w.thickness, std::uint64_t(w.seed)}, default_cache_folder(), host);
+  const PackingOutcome packing =
+      obtain_packing(registry, w.packing, {w.space(), std::uint64_t(w.seed)}, default_cache_folder(), host);
   std::vector<std::unique_ptr<Case>> cases;
   for (const int t : threads) cases.push_back(std::make_unique<Case>(w, registry, packing.particles, t));
   // In turn, so that other work on the machine is in the way of each alike.

@@ -5,25 +5,18 @@
 #include <random>
 #include <thread>
 
-#include "program.hpp"
+#include "small_specimen.hpp"
 
 namespace breccia::testing {
 namespace {
 
 using Files = std::map<std::string, std::string>;
 
-class Results : public Program {
+class Results : public SmallSpecimen {
  protected:
-  /// A specimen of 4 x 4 x 8 tangent spheres that runs in a blink.
   void SetUp() override {
     Program::SetUp();
-    std::ostringstream csv;
-    csv << "x,y,z,radius\n";
-    for (int k = 0; k < 8; ++k)
-      for (int j = 0; j < 4; ++j)
-        for (int i = 0; i < 4; ++i)
-          csv << 2 * i + 1 + 0.2 * ((i * 7 + j * 3 + k) % 5) << ',' << 2 * j + 1 << ',' << 2 * k + 1 << ",1\n";
-    write("small.csv", csv.str());
+    write_spheres();
     write("bad.csv", "x,y,z,radius\n0,0,0,-1\n");
     write("small.yaml", small);
     write("path.csv", "normal_m\n-1e-6\n");

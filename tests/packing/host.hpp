@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "../support/generate.hpp"
 #include "breccia/packing.hpp"
 
 namespace breccia {

@@ -17,7 +17,7 @@ using test::user_error;
 constexpr const char* plugin = BRECCIA_REARRANGEMENT_PLUGIN;
 
 PackedParticles pack(const Json& config, Host& host, std::uint64_t seed = 1, int dimension = 3) {
-  return test::make<Packing>(plugin, config)->generate({dimension, 0.5, seed}, host);
+  return generate(*test::make<Packing>(plugin, config), {dimension, 0.5, seed}, host);
 }
 
 /// Radii of ratio 3, about 350 spheres at 45 % porosity.

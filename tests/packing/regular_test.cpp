@@ -15,7 +15,7 @@ constexpr const char* plugin = BRECCIA_REGULAR_PLUGIN;
 
 PackedParticles lattice(const Json& config, int dimension) {
   TestHost host;
-  return test::make<Packing>(plugin, config)->generate({dimension, 0.5, 1}, host);
+  return generate(*test::make<Packing>(plugin, config), {dimension, 0.5, 1}, host);
 }
 
 const double root2 = std::numbers::sqrt2, root3 = std::numbers::sqrt3;

@@ -19,7 +19,7 @@ constexpr const char* plugin = BRECCIA_TANGENT_DISCS_PLUGIN;
 constexpr double exact = 1e-12;  // over the sum of the radii
 
 PackedParticles pack(const Json& config, Host& host, std::uint64_t seed = 1, int dimension = 2) {
-  return test::make<Packing>(plugin, config)->generate({dimension, 0.5, seed}, host);
+  return generate(*test::make<Packing>(plugin, config), {dimension, 0.5, seed}, host);
 }
 PackedParticles pack(const Json& config, std::uint64_t seed = 1) {
   TestHost host;
@@ -312,8 +312,7 @@ TEST(TangentDiscs, MistakesAreNamed) {
   EXPECT_NE(findings(j).find("container: a cylinder cannot be packed in two dimensions"), std::string::npos)
       << findings(j);
   TestHost host;
-  EXPECT_EQ(user_error([&] { pack(rectangle(0.05, 0.05), host, 1, 3); }),
-            "packing `tangent_discs` makes discs: it needs `dimension: 2`");
+  EXPECT_EQ(user_error([&] { pack(rectangle(0.05, 0.05), host, 1, 3); }), "it makes discs: it needs `dimension: 2`");
 }
 
 }  // namespace

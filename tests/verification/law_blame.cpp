@@ -32,7 +32,7 @@ class Wrong final : public ContactLaw {
       out.fz[k] = f.z();
     }
   }
-  void stiffness(const PairChunk& c, ContactStiffness* out) override {
+  void stiffness(const PairChunk& c, double* const*, ContactStiffness* out) override {
     for (std::size_t k = 0; k < c.size; ++k) out[k] = {stated, 0, 0, 0};
   }
   void energy(const PairChunk& c, double* const*, double* out) override {

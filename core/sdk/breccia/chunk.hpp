@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace breccia {
 
@@ -20,10 +21,12 @@ struct alignas(64) PairChunk {
   double mi[n], mj[n];                                    ///< only for a law that `needs_mass` [kg]
   double intact[n];                                       ///< 1 while the bond holds, else 0
   double may_break[n];                                    ///< 0 also for bonds that are protected
+  std::uint32_t kind[n];                                  ///< which two materials; where there are several
   const double* breakable = intact;                       ///< `intact` where no bond is protected
   std::size_t size = 0;
   double time_step = 0;  // [s]
-  PairChunk() = default;
+  bool mixed = false;    ///< pairs of several kinds; else all are of the first one's
+  PairChunk() { kind[0] = 0; }
   PairChunk(const PairChunk&) = delete;
   PairChunk& operator=(const PairChunk&) = delete;
 };

@@ -2,6 +2,7 @@
 /// A law over one chunk of pairs, instantiated inside its plugin: geometry and law fused in one vector loop.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <type_traits>
@@ -92,6 +93,38 @@ BRECCIA_KERNEL Contact contact_of(const PairChunk& g, std::size_t k, double dt, 
   return c;
 }
 
+/// Constants of a law that each bond has of its own, as many as the law names in `per_bond()`.
+template <class Law>
+constexpr std::size_t per_bond_count() {
+  if constexpr (requires { Law::per_bond(); }) return Law::per_bond().size();
+  else return 0;
+}
+
+/// What differs from pair to pair besides its contact: the law by kind of pair, and what each bond was given.
+template <class Law>
+struct Variety {
+  const Law* of_kind = nullptr;
+  const std::uint32_t* kind = nullptr;                            ///< of the chunk's pairs; null: all are of the first
+  std::array<const double*, per_bond_count<Law>() + 1> factor{};  ///< of the chunk's bonds, one array a constant
+};
+
+template <class Law, std::size_t K>
+BRECCIA_KERNEL void scale_constant(Law& law, double factor) {
+  constexpr auto member = Law::per_bond()[K].member;
+  if constexpr (Law::per_bond()[K].inverse) law.*member /= factor;
+  else law.*member *= factor;
+}
+template <class Law, std::size_t... K>
+BRECCIA_KERNEL void scale_constants(Law& law, const Variety<Law>& v, std::size_t k, std::index_sequence<K...>) {
+  (scale_constant<Law, K>(law, v.factor[K][k]), ...);
+}
+template <class Law>
+BRECCIA_KERNEL Law law_of(const Variety<Law>& v, std::size_t k) {
+  Law law = v.of_kind[v.kind ? v.kind[k] : 0];
+  scale_constants(law, v, k, std::make_index_sequence<per_bond_count<Law>()>{});
+  return law;
+}
+
 template <class Law>
 constexpr bool law_has_moments() {
   if constexpr (requires { Law::has_moments; }) return Law::has_moments;
@@ -171,6 +204,24 @@ BRECCIA_VECTOR_CLONES void evaluate_chunk(const Law law, const PairChunk& g, dou
   const double dt = g.time_step;
 #pragma omp simd
   for (std::size_t k = 0; k < n; ++k) evaluate_lane<Law, adds>(law, g, h, next, dt, k, out);
+  write_back(next, h, n);
+}
+
+/// The same where constants of the law differ within the chunk.
+template <class Law, bool adds, bool by_kind>
+BRECCIA_VECTOR_CLONES void evaluate_varied(const Variety<Law> v, const PairChunk& g, double* const* h,
+                                           PairAnswer& out) {
+  constexpr auto constants = std::make_index_sequence<per_bond_count<Law>()>{};
+  NewState<Law> next;
+  const std::size_t n = g.size;
+  const double dt = g.time_step;
+  const Law first = *v.of_kind;
+#pragma omp simd
+  for (std::size_t k = 0; k < n; ++k) {
+    Law law = by_kind ? v.of_kind[v.kind[k]] : first;
+    scale_constants(law, v, k, constants);
+    evaluate_lane<Law, adds>(law, g, h, next, dt, k, out);
+  }
   write_back(next, h, n);
 }
 

@@ -73,6 +73,16 @@ struct StateColumn {
   const char* unit;
 };
 
+/// A constant of a law's kernel that goes with (or against) a parameter of its configuration, which the workflow may
+/// give as a distribution: then each bond has a value of its own. In the law:
+///   static constexpr auto per_bond() { return std::array{PerBond<MyLaw>{"tensile_strength", &MyLaw::strength}}; }
+template <class Law>
+struct PerBond {
+  const char* parameter;  ///< may stand with several constants
+  double Law::*member;    ///< proportional to the parameter
+  bool inverse = false;   ///< to one over it
+};
+
 /// What a law may know of the whole specimen when it derives its constants.
 struct Assembly {
   int dimension = 3;

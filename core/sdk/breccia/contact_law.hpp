@@ -16,14 +16,18 @@
 ///   };
 ///   BRECCIA_CONTACT_LAW(MyLaw, "my_law")
 ///
+/// A law whose parameters may scatter from bond to bond names them in `per_bond()`, see `PerBond`.
+///
 /// It may also say, as `static constexpr bool`: `has_moments` (false), `needs_mass` (false), `makes_bonds` (true; of a
 /// list of laws only one may), `respects_protection` (false; true: bonds whose `breakable` is 0 are never damaged).
 ///
 /// The loop over the pairs of a chunk is a template instantiated inside the plugin: one virtual call per 64 pairs.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -47,11 +51,17 @@ class BRECCIA_API ContactLaw : public Plugin {
   virtual bool needs_mass() const { return true; }
   virtual bool respects_protection() const { return false; }  ///< never damages a bond that a protocol protects
   virtual void prepare(const Assembly& assembly) = 0;         ///< once, before anything else
+  /// Where pairs of some materials have parameters of their own: the law of each kind of pair, all of this type and
+  /// prepared. Not called when there is but one.
+  virtual void take_kinds(std::span<ContactLaw* const> of_kind) { (void)of_kind; }
+  /// Of the parameters that may, those that scatter: before `prepare`. The engine gives each a column behind those of
+  /// `columns()`: the bond's value over the mean that the configuration has; 1 for pairs that are no bonds.
+  virtual void scatter(const std::vector<std::string>& parameters) { (void)parameters; }
   /// `history` in all of these: one array per column, that of the chunk's pairs.
   virtual void initialise(const PairChunk& chunk, double* const* history) = 0;  ///< history of new pairs
   /// `adds`: to what the laws before in the list have answered; else writes.
   virtual void evaluate(const PairChunk& chunk, double* const* history, PairAnswer& answer, bool adds) = 0;
-  virtual void stiffness(const PairChunk& chunk, ContactStiffness* of_pair) = 0;
+  virtual void stiffness(const PairChunk& chunk, double* const* history, ContactStiffness* of_pair) = 0;
   virtual void energy(const PairChunk& chunk, double* const* history, double* of_pair) = 0;  ///< stored [J]
   virtual Json derived() const { return Json::object(); }  ///< constants it derived, for the summary
 };
@@ -61,10 +71,22 @@ template <class Law>
 class ContactLawOf final : public ContactLaw {
   static_assert(std::is_trivially_copyable_v<Law>, "a law is copied into the step loop: keep containers in its Config");
   static constexpr auto all = std::make_index_sequence<Law::columns.size()>{};
+  static constexpr std::size_t constants = detail::per_bond_count<Law>();
 
  public:
   using Config = typename Law::Config;
-  static void describe(Schema<Config>& s) { Law::describe(s); }
+  static void describe(Schema<Config>& s) {
+    Law::describe(s);
+    if constexpr (constants > 0)
+      for (const auto& c : Law::per_bond()) s.mark_per_bond(c.parameter);
+    ParamSpec of;
+    of.name = "materials";
+    of.type = ParamType::text_list;
+    of.min_items = of.max_items = 2;
+    of.example = "[quartz, feldspar]";
+    of.doc = "the two of a pair; the same twice: pairs within that material";
+    s.changes("between", "what differs for pairs of certain materials", std::move(of));
+  }
   explicit ContactLawOf(const Config& config) : config_(config) {}
 
   std::vector<ColumnDoc> columns() const override {
@@ -76,35 +98,84 @@ class ContactLawOf final : public ContactLaw {
   bool makes_bonds() const override { return detail::law_makes_bonds<Law>(); }
   bool needs_mass() const override { return detail::law_needs_mass<Law>(); }
   bool respects_protection() const override { return detail::law_respects_protection<Law>(); }
-  void prepare(const Assembly& assembly) override { law_.emplace(config_, assembly); }
+  void prepare(const Assembly& assembly) override { laws_.assign(1, Law(config_, assembly)); }
+  void take_kinds(std::span<ContactLaw* const> of_kind) override {
+    std::vector<Law> laws;
+    for (ContactLaw* law : of_kind) laws.push_back(static_cast<ContactLawOf*>(law)->laws_.front());
+    laws_ = std::move(laws);
+  }
+  void scatter(const std::vector<std::string>& parameters) override {
+    if constexpr (constants > 0) {
+      scatters_ = !parameters.empty();
+      for (std::size_t c = 0; c < constants; ++c) {
+        const auto at = std::find(parameters.begin(), parameters.end(), Law::per_bond()[c].parameter);
+        column_[c] = at == parameters.end() ? 0 : Law::columns.size() + std::size_t(at - parameters.begin());
+      }
+    }
+  }
   void initialise(const PairChunk& chunk, double* const* history) override {
     detail::for_each_contact(chunk, [&](const Contact& c, std::size_t k) {
-      typename Law::State s = law_->initial(c);
+      typename Law::State s = laws_[kind(chunk, k)].initial(c);
       detail::store_state<Law>(s, history, k, all);
     });
   }
   void evaluate(const PairChunk& chunk, double* const* history, PairAnswer& answer, bool adds) override {
-    adds ? detail::evaluate_chunk<Law, true>(*law_, chunk, history, answer)
-         : detail::evaluate_chunk<Law, false>(*law_, chunk, history, answer);
+    if (scatters_ || (chunk.mixed && laws_.size() > 1)) {
+      const detail::Variety<Law> v = variety(chunk, history);
+      if (v.kind)
+        adds ? detail::evaluate_varied<Law, true, true>(v, chunk, history, answer)
+             : detail::evaluate_varied<Law, false, true>(v, chunk, history, answer);
+      else
+        adds ? detail::evaluate_varied<Law, true, false>(v, chunk, history, answer)
+             : detail::evaluate_varied<Law, false, false>(v, chunk, history, answer);
+    } else {
+      const Law& law = laws_[kind(chunk, 0)];
+      adds ? detail::evaluate_chunk<Law, true>(law, chunk, history, answer)
+           : detail::evaluate_chunk<Law, false>(law, chunk, history, answer);
+    }
   }
-  void stiffness(const PairChunk& chunk, ContactStiffness* of_pair) override {
-    detail::for_each_contact(chunk, [&](const Contact& c, std::size_t k) { of_pair[k] = law_->stiffness(c); });
+  void stiffness(const PairChunk& chunk, double* const* history, ContactStiffness* of_pair) override {
+    for_each(chunk, history, [&](const Law& law, const Contact& c, std::size_t k) { of_pair[k] = law.stiffness(c); });
   }
   void energy(const PairChunk& chunk, double* const* history, double* of_pair) override {
-    detail::for_each_contact(chunk, [&](const Contact& c, std::size_t k) {
+    for_each(chunk, history, [&](const Law& law, const Contact& c, std::size_t k) {
       typename Law::State s;
       detail::load_state<Law>(s, history, k, all);
-      of_pair[k] = law_->energy(c, s);
+      of_pair[k] = law.energy(c, s);
     });
   }
   Json derived() const override {
-    if constexpr (requires { law_->derived(); }) return law_->derived();
+    if constexpr (requires(const Law& law) { law.derived(); }) return laws_.front().derived();
     else return Json::object();
   }
 
  private:
+  std::size_t kind(const PairChunk& chunk, std::size_t k) const {
+    return laws_.size() == 1 ? 0 : chunk.kind[chunk.mixed ? k : 0];
+  }
+  detail::Variety<Law> variety(const PairChunk& chunk, double* const* history) const {
+    static constexpr auto ones = [] {
+      std::array<double, PairChunk::capacity> a{};
+      a.fill(1.0);
+      return a;
+    }();
+    detail::Variety<Law> v;
+    v.of_kind = laws_.data();
+    v.kind = laws_.size() > 1 && chunk.mixed ? chunk.kind : nullptr;
+    if (!v.kind) v.of_kind += kind(chunk, 0);
+    for (std::size_t c = 0; c < constants; ++c) v.factor[c] = column_[c] ? history[column_[c]] : ones.data();
+    return v;
+  }
+  template <class F>
+  void for_each(const PairChunk& chunk, double* const* history, F&& f) const {
+    const detail::Variety<Law> v = variety(chunk, history);
+    detail::for_each_contact(chunk, [&](const Contact& c, std::size_t k) { f(detail::law_of(v, k), c, k); });
+  }
+
   Config config_;
-  std::optional<Law> law_;
+  std::vector<Law> laws_;  ///< of each kind of pair, or the one for all
+  bool scatters_ = false;
+  std::array<std::size_t, constants + 1> column_{};  ///< of the factors of each constant; 0: none
 };
 
 /// A vector kept in the contact plane (a tangential spring, a bending spring) follows the pair: it is turned into the

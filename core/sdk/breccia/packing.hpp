@@ -15,9 +15,7 @@ struct AskedGot {
   double got = 0;
 };
 
-struct PackingRequest {
-  int dimension = 3;
-  double thickness = 1;  ///< [m], in two dimensions
+struct PackingRequest : Space {
   std::uint64_t seed = 1;
 };
 
@@ -28,11 +26,16 @@ struct PackedParticles {
   Vec3 axis = Vec3::UnitZ();    ///< of the cylinder, else the long direction
   double container_volume = 0;  ///< asked for [m3]; 0 when nobody did: then the measured shape counts
   std::vector<AskedGot> report;
+  /// What else a packing knows of its particles, by name: a mineral's number, a grain. One value per particle.
+  std::vector<std::pair<std::string, std::vector<double>>> columns;
 };
 
 class BRECCIA_API Packing : public Plugin {
  public:
   static constexpr const char* kind = "packing";
+  /// Why it cannot make what is asked for, as `validate` can tell without making it ("needs three dimensions"); else
+  /// empty. Asked before `generate`.
+  virtual std::string why_not(const PackingRequest&) const { return {}; }
   /// The same request and configuration must give the same bits for any number of threads.
   virtual PackedParticles generate(const PackingRequest& request, Host& host) = 0;
   /// Files the result depends on besides the configuration: they enter the cache key.

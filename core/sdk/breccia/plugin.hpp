@@ -7,8 +7,7 @@
 #include <memory>
 
 #include "breccia/schema.hpp"
-
-#define BRECCIA_SDK_ABI 6  ///< raise with every change of a type or virtual function of the SDK
+#include "breccia/sdk_abi.hpp"
 
 namespace breccia {
 

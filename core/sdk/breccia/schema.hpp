@@ -13,6 +13,7 @@
 /// filled in); `Schema<Config>::load` only copies it into the struct.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <functional>
@@ -37,11 +38,13 @@ enum class ParamType {
   integer,
   boolean,
   text,
-  choice,      ///< one of `choices`; JSON string
-  path,        ///< a file, relative to the workflow; JSON string, made absolute by the parser
-  group,       ///< mapping with `members`; JSON object
-  group_list,  ///< sequence of such mappings; JSON array
-  plugin,      ///< mapping with `type: NAME` and that plugin's own parameters; JSON object with "type"
+  choice,        ///< one of `choices`; JSON string
+  path,          ///< a file, relative to the workflow; JSON string, made absolute by the parser
+  group,         ///< mapping with `members`; JSON object
+  group_list,    ///< sequence of such mappings; JSON array
+  group_map,     ///< such mappings by names that the user chooses; JSON object
+  quantity_map,  ///< quantities of one unit by names that the user chooses; JSON object
+  plugin,        ///< mapping with `type: NAME` and that plugin's own parameters; JSON object with "type"
   plugin_list,
   plugin_stack,  ///< one plugin, or a list of them; JSON object or array
   free_form,     ///< any mapping, kept as it stands (reference values); JSON object
@@ -71,7 +74,9 @@ struct ParamSpec {
   std::string plugin_kind;                                               ///< of a plugin or plugin_list
   std::vector<ParamSpec> members;                                        ///< of a group or group_list
   std::vector<std::vector<std::string>> exactly_one_of, at_most_one_of;  ///< among `members`
-  std::map<std::string, std::string> removed;                            ///< retired member -> what to write instead
+  bool changes_section = false;  ///< of a group_list: each item changes the section it stands in, for a case of it
+  bool per_bond = false;  ///< of a quantity: may be a distribution instead, of which each bond draws its own value
+  std::map<std::string, std::string> removed;  ///< retired member -> what to write instead
 
   /// Of a plugin_stack: what it is when a list was given, or a single plugin.
   ParamSpec as_given(bool list) const {
@@ -107,6 +112,10 @@ struct PluginStack {
   }
 };
 
+/// Values by names that the user chooses, in the order of the workflow.
+template <class T>
+struct ByName : std::vector<std::pair<std::string, T>> {};
+
 template <class T>
 class Schema;
 
@@ -122,6 +131,12 @@ template <class M>
 struct is_vector : std::false_type {};
 template <class M>
 struct is_vector<std::vector<M>> : std::true_type {
+  using inner = M;
+};
+template <class M>
+struct is_by_name : std::false_type {};
+template <class M>
+struct is_by_name<ByName<M>> : std::true_type {
   using inner = M;
 };
 template <class M>
@@ -144,6 +159,8 @@ constexpr ParamType param_type() {
   else if constexpr (std::is_same_v<M, PluginStack>) return ParamType::plugin_stack;
   else if constexpr (std::is_same_v<M, Json>) return ParamType::free_form;
   else if constexpr (std::is_same_v<M, std::vector<std::string>>) return ParamType::text_list;
+  else if constexpr (std::is_same_v<M, ByName<double>>) return ParamType::quantity_map;
+  else if constexpr (is_by_name<M>::value) return ParamType::group_map;
   else if constexpr (is_vector<M>::value) return ParamType::group_list;
   else return ParamType::group;
 }
@@ -255,6 +272,36 @@ class Schema {
     return *this;
   }
 
+  /// Of a declared parameter: it may scatter from bond to bond. The law's kernel says so, see `PerBond`.
+  Schema& mark_per_bond(const std::string& name) {
+    const auto found = std::find_if(doc_.root.members.begin(), doc_.root.members.end(),
+                                    [&](const ParamSpec& p) { return p.name == name; });
+    BRECCIA_ASSERT(found != doc_.root.members.end() && found->type == ParamType::quantity);
+    found->per_bond = true;
+    return *this;
+  }
+
+  /// A list whose items change what was declared so far, for the case that `of` says. In the configuration each item
+  /// is the whole section with its changes, and what `of` is.
+  Schema& changes(std::string name, std::string doc, ParamSpec of) {
+    ParamSpec list;
+    list.name = std::move(name);
+    list.type = ParamType::group_list;
+    list.doc = std::move(doc);
+    list.required = false;
+    list.changes_section = true;
+    list.members.push_back(std::move(of));
+    for (ParamSpec p : doc_.root.members) {
+      p.required = false;
+      p.fallback = nullptr;
+      list.members.push_back(std::move(p));
+    }
+    list.at_most_one_of = doc_.root.exactly_one_of;
+    for (const auto& names : doc_.root.at_most_one_of) list.at_most_one_of.push_back(names);
+    doc_.root.members.push_back(std::move(list));
+    return *this;
+  }
+
   /// Declares a parameter. A `std::optional` member may be left out; others need a value or a fallback.
   template <class M>
   ParamBuilder<M> param(std::string name, M T::*member) {
@@ -291,9 +338,9 @@ class Schema {
     for (const auto& f : loaders_) f(j, t);
     return t;
   }
-  Issues check(const Json& j) const {
+  Issues check(const Json& j) const { return rules_on(load(j)); }
+  Issues rules_on(const T& t) const {
     Issues issues;
-    const T t = load(j);
     for (const auto& rule : rules_) rule(t, issues);
     return issues;
   }
@@ -306,6 +353,8 @@ class Schema {
       describe_members<typename detail::is_optional<M>::inner>(p);
     } else if constexpr (detail::Described<M>) {
       take_group<M>(p);
+    } else if constexpr (detail::is_by_name<M>::value) {
+      describe_members<typename detail::is_by_name<M>::inner>(p);
     } else if constexpr (detail::is_vector<M>::value) {
       if constexpr (detail::Described<typename M::value_type>) take_group<typename M::value_type>(p);
     }
@@ -357,6 +406,12 @@ void detail::load_value(const Json& j, M& m) {
     Schema<M> s;
     M::describe(s);
     m = s.load(j);
+  } else if constexpr (is_by_name<M>::value) {
+    m.clear();
+    for (const auto& [name, value] : j.items())
+      load_value(value, m.emplace_back(name, typename M::value_type::second_type{}).second);
+  } else if constexpr (std::is_floating_point_v<M>) {
+    m = j.is_object() ? j.at("mean").template get<M>() : j.template get<M>();  // of a distribution
   } else if constexpr (is_vector<M>::value && !std::is_same_v<M, std::vector<double>> &&
                        !std::is_same_v<M, std::vector<std::string>>) {
     m.clear();

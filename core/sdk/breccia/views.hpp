@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "breccia/types.hpp"
+#include "breccia/space.hpp"
 
 namespace breccia {
 
@@ -38,9 +38,10 @@ struct ParticlesView {
   /// Of the applied force and of the force that holds a particle: (point where it acts - centre) (x) force [N m]; empty
   /// when there is none.
   std::span<const Mat3> boundary_moment;
-  std::span<const double> radius, mass;  // [m], [kg]
-  std::span<const std::uint8_t> held;    ///< velocity components that follow the protocol or the plane: bits of `dof`
-  std::span<const Index> id;             ///< number in the packing
+  std::span<const double> radius, mass;    // [m], [kg]
+  std::span<const std::uint8_t> held;      ///< velocity components that follow the protocol or the plane: bits of `dof`
+  std::span<const Index> id;               ///< number in the packing
+  std::span<const std::uint8_t> material;  ///< row of `SimulationView::materials`; empty when there is but one
   std::size_t size() const { return radius.size(); }
 };
 
@@ -108,9 +109,7 @@ struct EnergyLedger {
   double error() const { return initial + boundary_work - accounted(); }
 };
 
-struct SimulationView {
-  int dimension = 3;
-  double thickness = 1;            ///< out of plane, in two dimensions [m]
+struct SimulationView : Space {
   double time = 0, time_step = 0;  // [s]
   std::uint64_t step = 0;
   ParticlesView particles;
@@ -118,8 +117,25 @@ struct SimulationView {
   BondsView bonds;
   std::span<const WallView> walls;
   std::span<const WallContact> wall_contacts;
+  std::span<const std::string> materials;  ///< their names, one at the least
   SpecimenShape specimen;
   EnergyLedger energy;
 };
+
+/// "feldspar-quartz" for each two materials that have bonds: `f(name, bonds)` with the rows of these in `bonds`. Not
+/// called where there is but one material.
+template <class F>
+void for_each_pair_of_materials(const SimulationView& view, F&& f) {
+  const auto& of = view.particles.material;
+  if (of.empty()) return;
+  const std::size_t n = view.materials.size();
+  std::vector<std::vector<std::size_t>> rows(n * n);
+  for (std::size_t b = 0; b < view.bonds.size(); ++b) {
+    const std::size_t p = of[view.bonds.i[b]], q = of[view.bonds.j[b]];
+    rows[p < q ? p * n + q : q * n + p].push_back(b);
+  }
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    if (!rows[k].empty()) f(view.materials[k / n] + "-" + view.materials[k % n], rows[k]);
+}
 
 }  // namespace breccia

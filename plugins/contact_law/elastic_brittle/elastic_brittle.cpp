@@ -80,6 +80,14 @@ struct ElasticBrittle {
                                       StateColumn<State>{&State::spring_z, "shear_spring_z", "m"}};
 
   static constexpr bool respects_protection = true;
+  static constexpr auto per_bond() {
+    using Scatters = PerBond<ElasticBrittle>;
+    return std::array{Scatters{"tensile_strength", &ElasticBrittle::tensile_strength},
+                      Scatters{"shear_strength", &ElasticBrittle::shear_strength},
+                      Scatters{"bond_modulus", &ElasticBrittle::k_uniform},
+                      Scatters{"bond_modulus", &ElasticBrittle::k_arithmetic},
+                      Scatters{"bond_modulus", &ElasticBrittle::k_harmonic}};
+  }
 
   ElasticBrittle(const Config& c, const Assembly& assembly)
       : inverse_ratio(1 / c.stiffness_ratio),

@@ -26,6 +26,10 @@ struct Law {
                                       StateColumn<State>{&State::regime, "regime", "1"}};
   static constexpr bool needs_mass = true;
   static constexpr bool respects_protection = true;
+  static constexpr auto per_bond() {
+    return std::array{PerBond<Law>{"tensile_strength", &Law::inverse_limit_strain, true},
+                      PerBond<Law>{"shear_strength", &Law::shear_strength}};
+  }
 
   Law(const Config& c, const Assembly& assembly)
       : area_factor(c.area_factor ? *c.area_factor : optimal_area_factor(assembly)),

@@ -23,6 +23,13 @@ struct Law {
                                       StateColumn<State>{&State::torsion, "torsion", "rad"}};
   static constexpr bool has_moments = true;
   static constexpr bool respects_protection = true;
+  /// All limits of strain go with that in tension.
+  static constexpr auto per_bond() {
+    return std::array{
+        PerBond<Law>{"tensile_strain_limit", &Law::limit}, PerBond<Law>{"tensile_strain_limit", &Law::scale},
+        PerBond<Law>{"tensile_strain_limit", &Law::inverse_scale, true},
+        PerBond<Law>{"tensile_strain_limit", &Law::shear_limit}, PerBond<Law>{"tensile_strain_limit", &Law::shear_cap}};
+  }
 
   Law(const Config& c, const Assembly& a)
       : shear_ratio(c.shear_stiffness_ratio),

@@ -149,6 +149,12 @@ vtkSmartPointer<vtkPolyData> particle_data(const SimulationView& view, std::span
   add_real(on, precision, "velocity", "m/s", n, [&](std::size_t k) { return p.velocity[k]; });
   add_real(on, precision, "angular_velocity", "rad/s", n, [&](std::size_t k) { return p.angular_velocity[k]; });
   add_real(on, precision, "force", "N", n, [&](std::size_t k) { return p.force[k]; });
+  if (!p.material.empty()) {
+    add<vtkTypeInt32Array>(on, "material", "", n, [&](std::size_t k) { return p.material[k]; });
+    vtkNew<vtkStringArray> names;
+    for (const std::string& name : view.materials) names->InsertNextValue(name);
+    attach(data->GetFieldData(), names, "material_names", "");
+  }
   add_fields(on, fields, Field::On::particles, n, precision);
   add_frame_facts(data, view);
   return data;
@@ -187,6 +193,10 @@ vtkSmartPointer<vtkPolyData> bond_data(const SimulationView& view, std::span<con
   add_real(on, precision, "break_normal", "1", n, [&](std::size_t k) { return b.break_normal[k]; });
   add_real(on, precision, "crack_radius", "m", n,
            [&](std::size_t k) { return std::min(view.particles.radius[b.i[k]], view.particles.radius[b.j[k]]); });
+  if (const auto& of = view.particles.material; !of.empty()) {
+    add<vtkTypeInt32Array>(on, "material_i", "", n, [&](std::size_t k) { return of[b.i[k]]; });
+    add<vtkTypeInt32Array>(on, "material_j", "", n, [&](std::size_t k) { return of[b.j[k]]; });
+  }
   add_fields(on, fields, Field::On::bonds, n, precision);
   add_frame_facts(data, view);
   return data;

@@ -107,6 +107,11 @@ class CollectiveRearrangement final : public Packing {
     return {config_.mesh->file};
   }
 
+  std::string why_not(const PackingRequest& request) const override {
+    if (!config_.mesh) return why_not_in(*config_.container, request);
+    return request.dimension == 2 ? "a mesh cannot be packed in two dimensions: use a container" : "";
+  }
+
   PackedParticles generate(const PackingRequest& request, Host& host) override {
     const int dimension = request.dimension;
     const std::unique_ptr<Region> region = make_region(dimension, std::max(1, host.threads()));
@@ -180,7 +185,6 @@ class CollectiveRearrangement final : public Packing {
 
   std::unique_ptr<Region> make_region(int dimension, int threads) const {
     if (!config_.mesh) return std::make_unique<ContainerRegion>(config_.container->make(dimension));
-    if (dimension == 2) throw UserError("a mesh cannot be packed in two dimensions: use a container");
     return read_mesh(*config_.mesh, threads);
   }
 

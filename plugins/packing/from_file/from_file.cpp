@@ -28,7 +28,8 @@ class FromFile final : public Packing {
     s.summary("Spheres or discs read from a .csv table or a .vtp file")
         .details(
             "CSV: the first line names the columns `x`, `y`, `z` and `radius` in any order, separated by commas, "
-            "semicolons or tabs; `#` starts a comment; other columns are ignored with a note. VTP: points in metres "
+            "semicolons or tabs; `#` starts a comment; other columns of numbers are kept for `material_of`. VTP: "
+            "points in metres "
             "and a "
             "point array `radius` in metres, such as a frame of the output `vtk`. In two dimensions z is zero, and the "
             "column may be missing.");
@@ -80,16 +81,26 @@ class FromFile final : public Packing {
 
   std::vector<std::filesystem::path> inputs() const override { return {config_.file}; }
 
+  std::string why_not(const PackingRequest& request) const override {
+    const bool flat = request.dimension == 2;
+    if (flat && config_.outline == Filled::cylinder)
+      return "in two dimensions there is no cylinder: write `outline: box` for a rectangle or `outline: disc`";
+    if (!flat && config_.outline == Filled::disc)
+      return "a disc has two dimensions: write `outline: cylinder` or `outline: sphere`, or add `dimension: 2` to the "
+             "workflow";
+    if (flat && config_.axis == AxisName::z) return "in two dimensions the axis must be x or y";
+    return {};
+  }
+
   PackedParticles generate(const PackingRequest& request, Host& host) override {
     const bool flat = request.dimension == 2;
     const AxisName axis = config_.axis.value_or(flat ? AxisName::y : AxisName::z);
-    if (config_.outline) check_dimension(*config_.outline, flat);
-    if (flat && axis == AxisName::z) throw UserError("packing from_file: in two dimensions the axis must be x or y");
 
     from_file::Spheres spheres = read(!flat);
     check(spheres, flat);
     for (const std::string& column : spheres.ignored)
-      host.info("packing from_file: column `" + column + "` of " + config_.file.string() + " is not used");
+      host.info("packing from_file: column `" + column + "` of " + config_.file.string() +
+                " is not used: it is not all numbers");
 
     PackedParticles packed;
     packed.outline = outline(spheres, flat, host);
@@ -99,6 +110,7 @@ class FromFile final : public Packing {
                      {"radius_min", "m", {}, *std::min_element(r.begin(), r.end())},
                      {"radius_mean", "m", {}, std::accumulate(r.begin(), r.end(), 0.0) / double(r.size())},
                      {"radius_max", "m", {}, *std::max_element(r.begin(), r.end())}};
+    packed.columns = std::move(spheres.columns);
     packed.position = std::move(spheres.position);
     packed.radius = std::move(spheres.radius);
     return packed;
@@ -106,16 +118,6 @@ class FromFile final : public Packing {
 
  private:
   using Outline = SpecimenShape::Outline;
-
-  static void check_dimension(Filled filled, bool flat) {
-    const auto refuse = [](const char* text) { throw UserError(std::string("packing from_file: ") + text); };
-    if (flat && filled == Filled::cylinder)
-      refuse("in two dimensions there is no cylinder: write `outline: box` for a rectangle or `outline: disc`");
-    if (!flat && filled == Filled::disc)
-      refuse(
-          "a disc has two dimensions: write `outline: cylinder` or `outline: sphere`, or add `dimension: 2` to the "
-          "workflow");
-  }
 
   static Outline outline_of(Filled filled) {
     return filled == Filled::cylinder ? Outline::cylinder : filled == Filled::box ? Outline::box : Outline::ellipsoid;

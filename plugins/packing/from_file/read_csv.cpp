@@ -37,14 +37,14 @@ std::vector<std::string_view> cells_of(std::string_view line, char separator) {
 }
 
 Columns find_columns(const std::filesystem::path& file, std::size_t line, const std::vector<std::string_view>& header,
-                     bool needs_z, std::vector<std::string>& ignored) {
+                     bool needs_z, std::vector<std::pair<std::string, std::size_t>>& others) {
   Columns columns;
   std::string found;
   for (std::size_t c = 0; c < header.size(); ++c) {
     found.append(c ? ", `" : "`").append(header[c]).append("`");
     const auto known = std::find(names.begin(), names.end(), header[c]);
     if (known == names.end()) {
-      ignored.emplace_back(header[c]);
+      others.emplace_back(header[c], c);
       continue;
     }
     auto& column = columns[std::size_t(known - names.begin())];
@@ -61,14 +61,18 @@ Columns find_columns(const std::filesystem::path& file, std::size_t line, const 
   return columns;
 }
 
-double number(const std::filesystem::path& file, std::size_t line, const char* column, std::string_view text) {
+std::optional<double> value_of(std::string_view text) {
   double value = 0;
   const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(begin, end, value);
-  if (text.empty() || error != std::errc() || stop != end)
-    fail(file, line, std::string(column) + " is `" + std::string(text) + "`, which is not a number");
+  if (text.empty() || error != std::errc() || stop != end) return std::nullopt;
   return value;
+}
+
+double number(const std::filesystem::path& file, std::size_t line, const char* column, std::string_view text) {
+  if (const auto value = value_of(text)) return *value;
+  fail(file, line, std::string(column) + " is `" + std::string(text) + "`, which is not a number");
 }
 
 }  // namespace
@@ -77,6 +81,7 @@ Spheres read_csv(const std::filesystem::path& file, double unit, bool needs_z) {
   const std::string text = read_text_file(file);
   Spheres spheres;
   std::optional<Columns> columns;
+  std::vector<std::pair<std::string, std::size_t>> others;
   std::size_t width = 0, line = 0;
   char separator = ',';
   for (std::size_t at = 0; at < text.size();) {
@@ -94,7 +99,8 @@ Spheres read_csv(const std::filesystem::path& file, double unit, bool needs_z) {
         }
       const auto header = cells_of(content, separator);
       width = header.size();
-      columns = find_columns(file, line, header, needs_z, spheres.ignored);
+      columns = find_columns(file, line, header, needs_z, others);
+      for (const auto& [name, cell] : others) spheres.columns.push_back({name, {}});
       continue;
     }
     const auto cells = cells_of(content, separator);
@@ -107,8 +113,15 @@ Spheres read_csv(const std::filesystem::path& file, double unit, bool needs_z) {
     spheres.position.emplace_back(value[0], value[1], value[2]);
     spheres.radius.push_back(value[3]);
     spheres.line.push_back(line);
+    for (std::size_t c = 0; c < others.size(); ++c)
+      if (const auto other = value_of(cells[others[c].second])) spheres.columns[c].second.push_back(*other);
   }
   if (!columns) throw UserError(file.string() + " is empty: its first line must name the columns x, y, z and radius");
+  std::erase_if(spheres.columns, [&](const auto& column) {
+    const bool is_whole = column.second.size() == spheres.radius.size();
+    if (!is_whole) spheres.ignored.push_back(column.first);
+    return !is_whole;
+  });
   return spheres;
 }
 

@@ -11,11 +11,13 @@
 namespace breccia::from_file {
 
 struct Spheres {
-  std::vector<Vec3> position;        ///< [m]
-  std::vector<double> radius;        ///< [m]
-  std::vector<std::size_t> line;     ///< of the text file; empty when there are no lines to point at
-  std::vector<std::string> ignored;  ///< columns that were not used
-  std::string outline;               ///< "cylinder", "box", ... when the file says what its specimen is; else empty
+  std::vector<Vec3> position;     ///< [m]
+  std::vector<double> radius;     ///< [m]
+  std::vector<std::size_t> line;  ///< of the text file; empty when there are no lines to point at
+  /// Other columns of numbers, one value a sphere, and the names of those that hold something else.
+  std::vector<std::pair<std::string, std::vector<double>>> columns;
+  std::vector<std::string> ignored;
+  std::string outline;  ///< "cylinder", "box", ... when the file says what its specimen is; else empty
 
   /// "packing.csv, line 12" or "packing.vtp, point 10".
   std::string where(const std::filesystem::path& file, std::size_t k) const {

@@ -12,6 +12,7 @@ class LabraOnate final : public Packing {
   static void describe(Schema<Config>& s) { labra_onate::describe(s); }
 
   explicit LabraOnate(const Config& config) : config_(config) {}
+  std::string why_not(const PackingRequest& request) const override { return why_not_in(config_.container, request); }
   PackedParticles generate(const PackingRequest& request, Host& host) override;
 
  private:

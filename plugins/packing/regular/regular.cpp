@@ -85,10 +85,13 @@ class Regular final : public Packing {
 
   explicit Regular(const Config& config) : config_(config) {}
 
+  std::string why_not(const PackingRequest& request) const override {
+    if (is_flat(config_.lattice) == (request.dimension == 2)) return why_not_in(config_.container, request);
+    return request.dimension == 2 ? "in two dimensions the lattice is square or hexagonal"
+                                  : "in three dimensions the lattice is sc, bcc, fcc or hcp";
+  }
+
   PackedParticles generate(const PackingRequest& request, Host&) override {
-    if (is_flat(config_.lattice) != (request.dimension == 2))
-      throw UserError(request.dimension == 2 ? "in two dimensions the lattice is square or hexagonal"
-                                             : "in three dimensions the lattice is sc, bcc, fcc or hcp");
     const Container container = config_.container.make(request.dimension);
     const Cell cell = cell_of(config_.lattice);
     const double spacing = 2 * config_.radius * (1 + config_.gap), r = config_.radius;
@@ -114,7 +117,7 @@ class Regular final : public Packing {
     packed.outline = container.outline();
     packed.axis = container.axis();
     packed.container_volume = container.measure() * (request.dimension == 2 ? request.thickness : 1.0);
-    const double each = request.dimension == 2 ? std::numbers::pi * r * r : 4 * std::numbers::pi / 3 * r * r * r;
+    const double each = Space{request.dimension}.solid_volume(r);
     packed.report = {{"particles", "1", std::nullopt, double(packed.radius.size())},
                      {"porosity", "1", std::nullopt, 1 - each * double(packed.radius.size()) / container.measure()}};
     return packed;

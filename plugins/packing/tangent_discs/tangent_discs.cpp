@@ -76,8 +76,11 @@ class TangentDiscs final : public Packing {
 
   explicit TangentDiscs(const Config& config) : config_(config) {}
 
+  std::string why_not(const PackingRequest& request) const override {
+    return request.dimension == 2 ? "" : "it makes discs: it needs `dimension: 2`";
+  }
+
   PackedParticles generate(const PackingRequest& request, Host& host) override {
-    if (request.dimension != 2) throw UserError("packing `tangent_discs` makes discs: it needs `dimension: 2`");
     const Container container = config_.container.make(2);
     AdvancingFront front(container, config_.radius_min, config_.radius_max, request.seed, host);
     front.run();

@@ -146,6 +146,22 @@ class BondStatistics final : public Postprocessor {
     for (const Quantity& q : quantities) at_last[q.key] = q.value(last);
     summary.own("at_last", std::move(at_last));
 
+    Json by_materials = Json::object();
+    for_each_pair_of_materials(view, [&](const std::string& name, const std::vector<std::size_t>& rows) {
+      std::size_t intact = 0;
+      double sum = 0;
+      for (const std::size_t b : rows) {
+        if (view.bonds.state[b] != BondState::intact || view.bonds.pair[b] == BondsView::no_pair) continue;
+        const PairForce& f = view.pairs.force[view.bonds.pair[b]];
+        sum += std::sqrt(f.fx * f.fx + f.fy * f.fy + f.fz * f.fz);
+        ++intact;
+      }
+      by_materials[name] = {{"bonds_made", rows.size()},
+                            {"intact", intact},
+                            {"mean_force_N", intact ? Json(sum / double(intact)) : Json()}};
+    });
+    if (!by_materials.empty()) summary.own("by_materials", std::move(by_materials));
+
     const std::string peak_of = config_.peak_of.value_or("axial_stress");
     if (curves.rows() == 0 || (!config_.peak_of && !has_column(curves, peak_of))) return;
     const auto stress = curves.column(peak_of);

@@ -35,7 +35,9 @@ class Damage final : public Postprocessor {
         .source("Rojek et al. (2012), Eq. 60 and section 5.3")
         .details(
             "Damage of a particle D = 1 - b_t/b_0, from its bonds that hold now and those made at the start; 0 for a "
-            "particle that had none. Fragments are what intact bonds hold together, numbered from the heaviest.");
+            "particle that had none. Fragments are what intact bonds hold together, numbered from the heaviest. Of "
+            "several materials the "
+            "summary counts bonds made and broken for each two of them.");
   }
 
   explicit Damage(const Config&) {}
@@ -103,6 +105,19 @@ class Damage final : public Postprocessor {
     summary.own("fragments", found_.with_company);
     summary.own("single_particles", found_.count - found_.with_company);
     summary.own("largest_fragment_share", found_.largest_mass_share);
+    Json by_materials = Json::object();
+    for_each_pair_of_materials(view, [&](const std::string& name, const std::vector<std::size_t>& rows) {
+      std::size_t all = 0, tension = 0, shear = 0;
+      for (const std::size_t b : rows) {
+        const BondState s = view.bonds.state[b];
+        all += is_broken(s);
+        tension += s == BondState::broken_tension;
+        shear += s == BondState::broken_shear;
+      }
+      by_materials[name] = {
+          {"bonds_made", rows.size()}, {"broken", all}, {"broken_tension", tension}, {"broken_shear", shear}};
+    });
+    if (!by_materials.empty()) summary.own("by_materials", std::move(by_materials));
   }
 
  private:

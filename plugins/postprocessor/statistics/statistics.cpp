@@ -130,6 +130,7 @@ class Statistics final : public Postprocessor {
         values.push_back(q.value(view.particles.radius[view.bonds.i[b]], view.particles.radius[view.bonds.j[b]]));
       report(q, std::move(values), summary);
     }
+    report_materials(view, summary);
     for (const Plane& p : planes) {
       report(p, view, summary);
       if (view.dimension == 2) break;
@@ -137,6 +138,33 @@ class Statistics final : public Postprocessor {
   }
 
  private:
+  /// What was asked of shares is in the workflow; this is what became of it.
+  static void report_materials(const SimulationView& view, Summary& summary) {
+    const ParticlesView& p = view.particles;
+    if (p.material.empty()) return;
+    struct Sums {
+      std::size_t count = 0;
+      double volume = 0, mass = 0, radius = 0;
+    };
+    std::vector<Sums> of(view.materials.size());
+    double all = 0;
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      Sums& s = of[p.material[k]];
+      ++s.count;
+      s.volume += view.solid_volume(p.radius[k]);
+      s.mass += p.mass[k];
+      s.radius += p.radius[k];
+      all += view.solid_volume(p.radius[k]);
+    }
+    Json out = Json::object();
+    for (std::size_t m = 0; m < of.size(); ++m)
+      out[view.materials[m]] = {{"particles", of[m].count},
+                                {"volume_share", of[m].volume / all},
+                                {"mass_kg", of[m].mass},
+                                {"mean_radius_m", of[m].count ? Json(of[m].radius / double(of[m].count)) : Json()}};
+    summary.own("materials", std::move(out));
+  }
+
   void report(const Quantity& q, std::vector<double> values, Summary& summary) const {
     if (values.empty()) return summary.own(q.name, Json());
     std::sort(values.begin(), values.end());

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "breccia/schema.hpp"
 #include "breccia/text_file.hpp"
 
 namespace breccia::pictures {
@@ -22,8 +23,26 @@ std::vector<std::string> split(const std::string& line) {
   return cells;
 }
 
-/// Divides "axial_stress_Pa" into name and unit: the longest unit that ends the header. What ends in none is a pure
-/// number.
+/// What the file beside says of names and units; nothing where there is none.
+std::vector<Curve> described_curves(std::filesystem::path file, const std::vector<std::string>& headers) {
+  file.replace_extension(".json");
+  if (!std::filesystem::exists(file)) return {};
+  const Json described = Json::parse(read_text_file(file), nullptr, false);
+  std::vector<Curve> curves;
+  for (const std::string& header : headers) {
+    const auto at =
+        !described.is_array() ? described.end() : std::find_if(described.begin(), described.end(), [&](const Json& c) {
+          return c.is_object() && c.value("header", "") == header;
+        });
+    if (at == described.end()) return {};  // of another table
+    const std::string unit = at->value("unit", "");
+    curves.push_back({at->value("name", header), unit == "1" ? "" : unit, {}});
+  }
+  return curves;
+}
+
+/// Of a table without such a file: divides "axial_stress_Pa" into name and unit: the longest unit that ends the header.
+/// What ends in none is a pure number.
 Curve curve_named(const std::string& header) {
   static constexpr std::pair<std::string_view, const char*> units[] = {{"Pa", "Pa"},       {"s", "s"},
                                                                        {"m", "m"},         {"N", "N"},
@@ -69,7 +88,9 @@ CurvesFile::CurvesFile(const std::filesystem::path& file) : file_(file) {
   std::string line;
   if (!std::getline(in, line)) throw UserError("renderer pictures: " + file.string() + " is empty");
   headers_ = split(line);
-  for (const std::string& h : headers_) curves_.push_back(curve_named(h));
+  curves_ = described_curves(file, headers_);
+  if (curves_.empty())
+    for (const std::string& h : headers_) curves_.push_back(curve_named(h));
   for (std::size_t number = 2; std::getline(in, line); ++number) {
     if (line.empty()) continue;
     const auto cells = split(line);

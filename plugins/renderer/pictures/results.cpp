@@ -127,6 +127,8 @@ FrameFacts facts_of(vtkPolyData* frame) {
   const auto base = vector_fact(frame, "specimen_base"), axis = vector_fact(frame, "specimen_axis"),
              extent = vector_fact(frame, "specimen_extent");
   const auto height = number_fact(frame, "specimen_height");
+  if (auto* names = vtkStringArray::SafeDownCast(frame->GetFieldData()->GetAbstractArray("material_names")))
+    for (vtkIdType m = 0; m < names->GetNumberOfValues(); ++m) f.materials.push_back(names->GetValue(m));
   if (!base || !axis || !extent || !height || !(*height > 0)) return f;
   auto* outline = vtkStringArray::SafeDownCast(frame->GetFieldData()->GetAbstractArray("specimen_outline"));
   SpecimenShape s;

@@ -32,6 +32,7 @@ struct FrameFacts {
   std::optional<double> time;
   int dimension = 3;
   std::optional<SpecimenShape> specimen;
+  std::vector<std::string> materials;  ///< names of the values of the array `material`
 };
 FrameFacts facts_of(vtkPolyData* frame);
 

@@ -78,6 +78,21 @@ ColourBar bar_of(const Values& v, const std::string& name, const Scale& scale) {
   return bar;
 }
 
+/// One colour each for values that only name something, and the legend of those that are there.
+void colour_by_name(Overlay& overlay, const std::vector<std::string>& names, const std::vector<double>& value,
+                    ColourTable& colours) {
+  constexpr Rgb palette[] = {blue, orange, green, vermillion, sky_blue, purple, yellow};
+  std::vector<std::size_t> count(names.size(), 0);
+  for (const double v : value)
+    if (v >= 0 && v < double(names.size())) ++count[std::size_t(v)];
+  colours.low = -0.5;
+  colours.high = double(names.size()) - 0.5;
+  for (std::size_t s = 0; s < colours.step.size(); ++s)
+    colours.step[s] = palette[s * names.size() / colours.step.size() % std::size(palette)];
+  for (std::size_t m = 0; m < names.size(); ++m)
+    if (count[m] > 0) overlay.legend.push_back({palette[m % std::size(palette)], names[m]});
+}
+
 std::string caption_of(const FrameFacts& facts) {
   if (!facts.time) return {};
   const ShownUnit unit = shown_unit("s", *facts.time);
@@ -150,18 +165,21 @@ void draw_specimen(vtkPolyData* particles, const SpecimenPicture& picture, const
   if (picture.cut != Cut::none && facts.dimension == 2)
     throw UserError("a specimen in two dimensions has no inside to show");
 
-  const Scale scale = scale_of(values, picture);
+  const bool names = field == "material" && !facts.materials.empty();
+  const Scale scale = names ? Scale{ColourMap::automatic, 0, 1} : scale_of(values, picture);
   Viewpoint view(spheres, facts);
   keep(spheres, values.value, [&](const Vec3& x, double radius) { return view.frames(x, radius); });
   if (picture.cut != Cut::none) cut_open(spheres, values.value, picture.cut, view, facts);
   const int width = view.width_for(sheet.size);
   const Projection projection = view.aim(width, sheet.size);
   Overlay overlay;
-  overlay.bar = bar_of(values, field, scale);
   overlay.caption = caption_of(facts);
+  ColourTable colours;
+  if (names) colour_by_name(overlay, facts.materials, values.value, colours);
+  else colours = (overlay.bar = bar_of(values, field, scale))->colours;
   Scene scene;
   scene.occlusion = facts.dimension == 3;
-  add_spheres(scene, spheres, values.value, overlay.bar->colours);
+  add_spheres(scene, spheres, values.value, colours);
   finish(scene, view, projection, width, overlay, sheet, file);
 }
 

@@ -12,7 +12,8 @@
 namespace breccia::pictures {
 
 /// Okabe and Ito's colours, told apart by colour-blind readers too.
-constexpr Rgb blue{0, 114, 178}, vermillion{213, 94, 0}, green{0, 158, 115}, ink{38, 38, 38};
+constexpr Rgb blue{0, 114, 178}, vermillion{213, 94, 0}, green{0, 158, 115}, ink{38, 38, 38}, orange{230, 159, 0},
+    sky_blue{86, 180, 233}, purple{204, 121, 167}, yellow{240, 228, 66};
 
 /// The areas of histograms, paler than their blue outlines.
 constexpr Rgb bar_fill{153, 199, 224};

@@ -219,4 +219,12 @@ struct ContainerConfig {
   Container make() const { return make(shape == Container::Shape::box && size && size->size() == 2 ? 2 : 3); }
 };
 
+/// `Packing::why_not` of one that fills a container.
+inline std::string why_not_in(const ContainerConfig& container, const Space& space) {
+  try {
+    (void)container.make(space.dimension);
+    return {};
+  } catch (const UserError& e) { return e.what(); }
+}
+
 }  // namespace breccia

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/columns.hpp"
+
+#include "engine/simulation.hpp"
+#include "plugin/guarded.hpp"
+#include "run/contact_laws.hpp"
+
+namespace breccia {
+namespace {
+
+void check_needed(std::vector<Listed<Postprocessor>>& postprocessors, const CurveTable& curves) {
+  for (auto& p : postprocessors)
+    p.call("naming the curves it needs", [&](Postprocessor& q) {
+      for (const std::string& name : q.needed_curves()) (void)NamedCurves(curves, p.prefix()).column(name);
+    });
+}
+
+std::size_t set_up(const SimulationView& view, LoadControl& control, Protocol& protocol, const PluginId& protocol_id,
+                   std::vector<Listed<Postprocessor>>& postprocessors, CurveTable& curves, Host& host) {
+  const std::size_t time = curves.add({"time", "s", "since the first step"});
+  calling(protocol_id, "setting up the test", [&] { protocol.setup(view, control, curves, host); });
+  for (auto& p : postprocessors) {
+    NamedRecorder recorder(curves, p.prefix());
+    p.call("adding its curves", [&](Postprocessor& q) { q.begin(view, recorder, host); });
+  }
+  return time;
+}
+
+class Silent final : public Host {
+ public:
+  void info(std::string_view) override {}
+  void warn(std::string_view) override {}
+  void progress(std::string_view, double) override {}
+  bool cancelled() const override { return false; }
+  int threads() const override { return 1; }
+};
+
+/// A block of spheres, or a sheet of discs, that touch.
+PackedParticles stand_in(int dimension, SpecimenShape::Outline outline) {
+  constexpr double r = 1e-3;
+  const bool flat = dimension == 2;
+  PackedParticles p;
+  for (int k = 0; k < (flat ? 1 : 12); ++k)
+    for (int j = 0; j < (flat ? 12 : 6); ++j)
+      for (int i = 0; i < 6; ++i) {
+        p.position.emplace_back(r * (2 * i - 5), flat ? r * (2 * j + 1) : r * (2 * j - 5), flat ? 0 : r * (2 * k + 1));
+        p.radius.push_back(r);
+      }
+  p.outline = outline;
+  p.axis = flat ? Vec3::UnitY() : Vec3::UnitZ();
+  return p;
+}
+
+}  // namespace
+
+std::size_t add_columns(const SimulationView& view, LoadControl& control, Protocol& protocol,
+                        const PluginId& protocol_id, std::vector<Listed<Postprocessor>>& postprocessors,
+                        CurveTable& curves, Host& host) {
+  const std::size_t time = set_up(view, control, protocol, protocol_id, postprocessors, curves, host);
+  check_needed(postprocessors, curves);
+  return time;
+}
+
+void check_curves(const Workflow& w, const Registry& registry) {
+  for (const auto outline : {SpecimenShape::Outline::cylinder, SpecimenShape::Outline::box}) {
+    CurveTable curves;
+    std::vector<Listed<Postprocessor>> postprocessors;
+    Silent host;
+    try {
+      ContactLaws laws(registry, with_means(w.contact_law));
+      Simulation simulation(assemble(stand_in(int(w.dimension), outline), {2650.0}, int(w.dimension), w.thickness),
+                            laws.interactions(), {});
+      simulation.bond({GapMeasure::relative, 1e-6, std::nullopt}, SpecimenToTell{0.3, 6});
+      laws.within([] {});
+      const SimulationView view = simulation.view();
+      const auto protocol = registry.create<Protocol>(w.protocol);
+      for (const PluginChoice& c : w.postprocessors) postprocessors.emplace_back(c, registry);
+      set_up(view, simulation, *protocol, {Protocol::kind, w.protocol.type}, postprocessors, curves, host);
+    } catch (const std::exception&) {
+      continue;  // it may be the few particles: the run will say
+    }
+    return check_needed(postprocessors, curves);
+  }
+}
+
+}  // namespace breccia

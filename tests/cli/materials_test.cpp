@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Materials, parameters by pair of materials and scatter, as a user writes them.
+#include "program.hpp"
+
+namespace breccia::testing {
+namespace {
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+class MaterialsInWorkflows : public Program {
+ protected:
+  static constexpr const char* head =
+      R"(packing: {type: regular, lattice: sc, container: {shape: box, size: [8 mm, 8 mm, 16 mm]}, radius: 1 mm}
+bonding: {tolerance: 0.01}
+damping: {translational: 0.7, rotational: 0.7}
+protocol: {type: uniaxial_compression, platen_velocity: 0.2 m/s, platen_stiffness: 15 MN/m, max_strain: 0.3 %}
+postprocessors: [{type: stress}, {type: damage}, {type: statistics}, {type: bond_statistics}]
+)";
+  static constexpr const char* law = R"(contact_law:
+  type: elastic_brittle
+  bond_modulus: 10 GPa
+  stiffness_ratio: 3.7
+  tensile_strength: 40 MPa
+  shear_strength: 40 MPa
+  friction: 0.5
+)";
+  static constexpr const char* two = R"(materials: {quartz: {density: 2650 kg/m3}, feldspar: {density: 2560 kg/m3}}
+material_of: {shares: {quartz: 25 %, feldspar: 75 %}}
+)";
+  Json run(const std::string& arguments) const {
+    const Result r = call("run " + arguments + " --output out --overwrite --threads 1");
+    EXPECT_EQ(r.code, 0) << r.text;
+    return r.code == 0 ? Json::parse(content(folder_ / "out/summary.json")) : Json::object();
+  }
+};
+
+TEST_F(MaterialsInWorkflows, TwoMineralsAsShipped) {
+  const Json s = run(BRECCIA_SOURCE_DIR
+                     "/workflows/examples/two_minerals.yaml --variant small --set renderers=[] --set outputs=[]");
+  if (HasFailure()) return;
+  const Json& materials = s["statistics"]["materials"];
+  EXPECT_NEAR(materials["quartz"]["volume_share"].get<double>(), 0.35, 0.1);  // by whole grains
+  EXPECT_EQ(materials["quartz"]["particles"].get<int>() + materials["feldspar"]["particles"].get<int>(), 600);
+  const Json& by = s["damage"]["by_materials"];
+  std::size_t made = 0, broken = 0;
+  for (const auto& [name, of] : by.items()) {
+    made += of["bonds_made"].get<std::size_t>();
+    broken += of["broken"].get<std::size_t>();
+  }
+  EXPECT_EQ(by.size(), 3u);
+  EXPECT_EQ(made, s["bonds"]);
+  EXPECT_EQ(broken, s["damage"]["bonds_broken"]);
+  const auto share = [&](const char* name) {
+    return by[name]["broken"].get<double>() / by[name]["bonds_made"].get<double>();
+  };
+  EXPECT_GT(share("quartz-feldspar"), share("feldspar-feldspar"));  // their bonds have half the strength
+  EXPECT_GT(s["peak_stress_Pa"], 0);
+  // What it resolved to gives the same again.
+  const std::string first = content(folder_ / "out/curves.csv");
+  fs::copy(folder_ / "out/resolved.yaml", folder_ / "again.yaml");
+  run("again.yaml");
+  EXPECT_EQ(first, content(folder_ / "out/curves.csv"));
+}
+
+TEST_F(MaterialsInWorkflows, OneMaterialUnderTwoNamesIsOne) {
+  write("one.yaml", std::string(head) + law + "material: {density: 2650 kg/m3}\n");
+  write("two.yaml", std::string(head) + law +
+                        "  between: [{materials: [a, b], friction: 0.5}]\n"
+                        "materials: {a: {density: 2650 kg/m3}, b: {density: 2650 kg/m3}}\n"
+                        "material_of: {layers: {materials: [a, b], thicknesses: [3 mm, 2 mm], dip: 30 deg}}\n");
+  run("one.yaml");
+  const std::string one = content(folder_ / "out/curves.csv");
+  run("two.yaml");
+  EXPECT_EQ(one, content(folder_ / "out/curves.csv"));
+}
+
+TEST_F(MaterialsInWorkflows, AllThatIsWrongIsSaidAtOnceWithItsPlace) {
+  write("w.yaml", std::string(head) + R"(materials: {quartz: {density: 2650 kg/m3}, feldspar: {}}
+material_of: {shares: {quartz: 25 %}, layers: {materials: [quartz], thicknesses: [1 mm, 2 mm]}}
+contact_law:
+  type: elastic_brittle
+  bond_modulus: 10 GPa
+  stiffness_ratio: 3.7
+  tensile_strength: {mean: 40 MPa, distribution: weibul, modulus: 8}
+  shear_strength: {mean: 40 MPa, distribution: weibull, coefficient_of_variation: 10 %}
+  friction: {mean: 0.5, distribution: normal, standard_deviation: 0.1}
+  between:
+    - {materials: [quartz], tensile_strenght: 20 MPa}
+    - {materials: [quartz, feldspar], type: dashpot, bond_modulus: -1 GPa}
+)");
+  const Result r = call("validate w.yaml");
+  EXPECT_EQ(r.code, 2) << r.text;
+  for (const char* part :
+       {"materials.feldspar.density: is missing", "give only one of `shares`", "must have at least 2 items, not 1",
+        "`weibul` is not one of", "did you mean `weibull`?", "a weibull distribution goes by its `modulus`",
+        "contact_law.friction: must be a pure number, not a mapping", "must have 2 items, not 1",
+        "contact_law.between[0].tensile_strenght: is not a known parameter; did you mean `tensile_strength`?",
+        "contact_law.between[1].type: cannot differ here", "contact_law.between[1].bond_modulus: must be above 0"})
+    EXPECT_TRUE(has(r.text, part)) << part << "\n" << r.text;
+}
+
+TEST_F(MaterialsInWorkflows, NamesAndSharesAreChecked) {
+  write("w.yaml", std::string(head) + law + "  between: [{materials: [quarz, feldspar]}]\n" + two);
+  const auto refused = [&](const std::string& settings, const std::string& why) {
+    const Result r = call("validate w.yaml " + settings);
+    EXPECT_EQ(r.code, 2) << r.text;
+    EXPECT_TRUE(has(r.text, why)) << why << "\n" << r.text;
+  };
+  refused("", "contact_law.between[0].materials[0]: no material is named `quarz`; did you mean `quartz`?");
+  const std::string right = "--set contact_law.between[0].materials=[quartz,feldspar] ";
+  EXPECT_EQ(call("validate w.yaml " + right).code, 0);
+  refused(right + "--set material_of.shares.quartz='30 %'", "the shares add up to 105 %, not to 100 %");
+  refused(right + "--set material_of='{column: {name: mineral, values: {quartz: 1, gold: 2}}}'",
+          "material_of.column.values.gold: no material is named `gold`");
+  refused(
+      right + "--set material_of='{regions: [{material: quartz, sphere: {centre: [0 m, 0 m, 0 m], radius: 1 mm}}]}'",
+      "material_of.elsewhere: is missing");
+  const Result r = call("run w.yaml --output out " + right +
+                        "--set material_of='{column: {name: mineral, values: {quartz: 1, feldspar: 2}}}'");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_TRUE(has(r.text, "material_of.column.name: the packing has no column `mineral`")) << r.text;
+}
+
+TEST_F(MaterialsInWorkflows, ValidateKnowsWhatAPackingCannotDo) {
+  write("w.yaml", std::string(head) + law + "material: {density: 2650 kg/m3}\n");
+  const Result r = call("validate w.yaml --set dimension=2");
+  EXPECT_EQ(r.code, 2) << r.text;
+  EXPECT_TRUE(has(r.text, "packing regular: in two dimensions the lattice is square or hexagonal")) << r.text;
+}
+
+}  // namespace
+}  // namespace breccia::testing
