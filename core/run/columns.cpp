@@ -10,9 +10,11 @@ namespace {
 
 void check_needed(std::vector<Listed<Postprocessor>>& postprocessors, const CurveTable& curves) {
   for (auto& p : postprocessors)
-    p.call("naming the curves it needs", [&](Postprocessor& q) {
-      for (const std::string& name : q.needed_curves()) (void)NamedCurves(curves, p.prefix()).column(name);
-    });
+    for (const std::string& name :
+         p.call("naming the curves it needs", [](Postprocessor& q) { return q.needed_curves(); }))
+      try {
+        (void)NamedCurves(curves, p.prefix()).column(name);
+      } catch (const UserError& e) { throw UserError("postprocessor " + p.label() + ": " + e.what()); }
 }
 
 std::size_t set_up(const SimulationView& view, LoadControl& control, Protocol& protocol, const PluginId& protocol_id,

@@ -2,6 +2,7 @@
 #include "run/workflow.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "breccia/contact_law.hpp"
 #include "breccia/output.hpp"
@@ -171,10 +172,16 @@ void check_materials(const Workflow& w, Issues& issues) {
     if (!config.contains("between")) continue;
     const std::string law =
         w.contact_law.plugins.size() == 1 ? "contact_law" : "contact_law[" + std::to_string(l) + "]";
-    for (std::size_t k = 0; k < config["between"].size(); ++k)
-      for (std::size_t m = 0; m < 2; ++m)
-        check(config["between"][k]["materials"][m],
-              law + ".between[" + std::to_string(k) + "].materials[" + std::to_string(m) + "]");
+    std::map<std::pair<std::string, std::string>, std::size_t> seen;
+    for (std::size_t k = 0; k < config["between"].size(); ++k) {
+      const std::string where = law + ".between[" + std::to_string(k) + "].materials";
+      const std::string p = config["between"][k]["materials"][0], q = config["between"][k]["materials"][1];
+      check(p, where + "[0]");
+      check(q, where + "[1]");
+      if (const auto [first, is_new] = seen.emplace(std::minmax(p, q), k); !is_new)
+        issues.push_back({where, "the pair of `" + p + "` and `" + q + "` stands in between[" +
+                                     std::to_string(first->second) + "] already"});
+    }
   }
 }
 

@@ -68,6 +68,27 @@ TEST_F(Checks, ABondingGapInTheWrongUnitIsRefusedBeforeItNeedsAllMemory) {
   EXPECT_TRUE(has(r.text, "bonding.gap: within 1 m the 1028 particles have more than 700 neighbours each")) << r.text;
 }
 
+TEST_F(Checks, ACurveThatNobodyAddsIsMissedBeforeThePackingIsMade) {
+  lattice();
+  const std::string wanted =
+      " --set 'postprocessors=[{type: stress}, {type: elastic_constants, strain: axial_strian, lateral: "
+      "lateral_strain}]'";
+  const Result r = call("validate w.yaml" + wanted);
+  EXPECT_EQ(r.code, 2) << r.text;
+  EXPECT_TRUE(has(r.text,
+                  "postprocessor elastic_constants: there is no curve `axial_strian`; the curves of this "
+                  "workflow are"))
+      << r.text;
+  EXPECT_EQ(call("validate w.yaml").code, 0);
+}
+
+TEST_F(Checks, AStepThatTakesThePlatensThroughTheSpecimenIsRefused) {
+  lattice();
+  const Result r = call("run w.yaml --output out --set material.density='1e40 kg/m3'");
+  EXPECT_EQ(r.code, 2) << r.text;
+  EXPECT_TRUE(has(r.text, "check density, moduli and velocity for their units")) << r.text;
+}
+
 TEST_F(Checks, WhatCannotBeReckonedWithIsRefusedWithItsReason) {
   lattice();
   const auto refused = [&](const std::string& setting) {

@@ -93,7 +93,7 @@ contact_law:
   for (const char* part :
        {"materials.feldspar.density: is missing", "give only one of `shares`", "must have at least 2 items, not 1",
         "`weibul` is not one of", "did you mean `weibull`?", "a weibull distribution goes by its `modulus`",
-        "contact_law.friction: must be a pure number, not a mapping", "must have 2 items, not 1",
+        "contact_law.friction: must be a plain number, not a mapping", "must have 2 items, not 1",
         "contact_law.between[0].tensile_strenght: is not a known parameter; did you mean `tensile_strength`?",
         "contact_law.between[1].type: cannot differ here", "contact_law.between[1].bond_modulus: must be above 0"})
     EXPECT_TRUE(has(r.text, part)) << part << "\n" << r.text;
@@ -107,6 +107,8 @@ TEST_F(MaterialsInWorkflows, NamesAndSharesAreChecked) {
     EXPECT_TRUE(has(r.text, why)) << why << "\n" << r.text;
   };
   refused("", "contact_law.between[0].materials[0]: no material is named `quarz`; did you mean `quartz`?");
+  refused("--set 'contact_law.between=[{materials: [quartz, feldspar]}, {materials: [feldspar, quartz]}]'",
+          "contact_law.between[1].materials: the pair of `feldspar` and `quartz` stands in between[0] already");
   const std::string right = "--set contact_law.between[0].materials=[quartz,feldspar] ";
   EXPECT_EQ(call("validate w.yaml " + right).code, 0);
   refused(right + "--set material_of.shares.quartz='30 %'", "the shares add up to 105 %, not to 100 %");

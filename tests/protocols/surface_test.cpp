@@ -81,7 +81,7 @@ TEST(Voronoi, OfTwoCirclesInOnePlaceTheLargerHasTheCell) {
 TEST(LateralSurface, LosesWhatSinksBehindOthers) {
   PackedParticles p = simple_cubic(5, 5, 5, 1e-3);
   State s = assemble(p, {2650}, 3, 1);
-  const ParticlesView v{s.particles.position, {}, {}, {}, {}, {}, {}, {}, s.particles.radius, {}, {}, {}};
+  const ParticlesView v{s.particles.position, {}, {}, {}, {}, {}, {}, {}, s.particles.radius, {}, {}, {}, {}};
   LateralSurface surface(s.specimen, v, 3, 1);
   surface.measure(v, 0, s.specimen.height);
   const auto of = [&](Index k) {
@@ -106,9 +106,9 @@ TEST(LateralSurface, LosesWhatSinksBehindOthers) {
 TEST(LateralSurface, OfALatticeIsItsOuterLayer) {
   PackedParticles p = simple_cubic(5, 4, 6, 1e-3);
   const State s = assemble(p, {2650}, 3, 1);
-  LateralSurface surface(s.specimen, {s.particles.position, {}, {}, {}, {}, {}, {}, {}, s.particles.radius, {}, {}, {}},
-                         3, 1);
-  surface.measure({s.particles.position, {}, {}, {}, {}, {}, {}, {}, s.particles.radius, {}, {}, {}}, 0,
+  LateralSurface surface(s.specimen,
+                         {s.particles.position, {}, {}, {}, {}, {}, {}, {}, s.particles.radius, {}, {}, {}, {}}, 3, 1);
+  surface.measure({s.particles.position, {}, {}, {}, {}, {}, {}, {}, s.particles.radius, {}, {}, {}, {}}, 0,
                   s.specimen.height);
   EXPECT_NEAR(surface.area(), 2 * (10e-3 + 8e-3) * 12e-3, 1e-12);
   EXPECT_EQ(surface.cells().size(), std::size_t(2 * (5 + 4) * 6));
@@ -125,7 +125,7 @@ TEST(LateralSurface, OfACylinderFacesInward) {
     }
   p.outline = SpecimenShape::Outline::cylinder;
   const State s = assemble(p, {2650}, 3, 1);
-  const ParticlesView v{s.particles.position, {}, {}, {}, {}, {}, {}, {}, s.particles.radius, {}, {}, {}};
+  const ParticlesView v{s.particles.position, {}, {}, {}, {}, {}, {}, {}, s.particles.radius, {}, {}, {}, {}};
   LateralSurface surface(s.specimen, v, 3, 1);
   surface.measure(v, 0, s.specimen.height);
   double outer = 0, area = 0;

@@ -4,6 +4,8 @@
 
 #include <cstring>
 
+#include "engine/chunks.hpp"
+#include "engine/pair_batch.hpp"
 #include "support/support.hpp"
 
 namespace breccia::testing {
@@ -51,6 +53,28 @@ void expect_same_bits(const Json& law, const std::string& name) {
 
 TEST(Threads, SameBitsForOneTwoThreeAndEight) { expect_same_bits(elastic_brittle(), "elastic_brittle"); }
 TEST(Threads, SameBitsWithMoments) { expect_same_bits(nonlinear_tension(), "nonlinear_tension"); }
+
+/// What is summed over pairs knows no cut between blocks of particles.
+TEST(Chunks, BeginAnewWithEachBlockOfParticles) {
+  Bench b = make_bench(random_block(10, 10, 9, 1e-3, 3), elastic_brittle(), 0.1);
+  b->prepare();
+  const State& s = b->state();
+  const Chunks c = make_chunks(s);
+  ASSERT_EQ(c.blocks(), (s.particles.size() + particle_block - 1) / particle_block);
+  EXPECT_EQ(c.start.front(), 0u);
+  EXPECT_EQ(c.start.back(), s.pairs.size());
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    const std::size_t count = c.start[k + 1] - c.start[k];
+    EXPECT_GT(count, 0u);
+    EXPECT_LE(count, PairBatch::chunk);
+    EXPECT_EQ(s.pairs.i[c.start[k]] / particle_block, s.pairs.i[c.start[k + 1] - 1] / particle_block);
+  }
+  for (std::size_t block = 0; block < c.blocks(); ++block) {
+    const std::size_t first = c.start[c.block_start[block]];
+    EXPECT_GE(s.pairs.i[first], block * particle_block);
+    EXPECT_TRUE(first == 0 || s.pairs.i[first - 1] < block * particle_block);
+  }
+}
 
 }  // namespace
 }  // namespace breccia::testing

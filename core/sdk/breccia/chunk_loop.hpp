@@ -115,7 +115,8 @@ BRECCIA_KERNEL void scale_constant(Law& law, double factor) {
   else law.*member *= factor;
 }
 template <class Law, std::size_t... K>
-BRECCIA_KERNEL void scale_constants(Law& law, const Variety<Law>& v, std::size_t k, std::index_sequence<K...>) {
+BRECCIA_KERNEL void scale_constants(Law& law, const Variety<Law>& v, [[maybe_unused]] std::size_t k,
+                                    std::index_sequence<K...>) {
   (scale_constant<Law, K>(law, v.factor[K][k]), ...);
 }
 template <class Law>
