@@ -2,6 +2,7 @@
 #include "engine/simulation.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <limits>
 #include <numeric>
 
@@ -226,9 +227,25 @@ void Simulation::record_breaks() {
   }
 }
 
+/// No test can be made of a few steps: a wall would be through the specimen before it was stopped.
+void Simulation::refuse_long_way() const {
+  constexpr double most = 0.05;
+  const double height = state_.specimen.height;
+  for (const Wall& w : state_.walls)
+    if (const double way = w.velocity.norm() * state_.time_step; height > 0 && way > most * height) {
+      char text[160];
+      std::snprintf(text, sizeof text, "in one time step of %.3g s the wall `%s` would go %.3g m, and the specimen is ",
+                    state_.time_step, w.name.c_str(), way);
+      char rest[120];
+      std::snprintf(rest, sizeof rest, "%.3g m high: check density, moduli and velocity for their units", height);
+      throw UserError(std::string(text) + rest);
+    }
+}
+
 void Simulation::advance() {
   State& s = state_;
   BRECCIA_ASSERT(forces_known_);
+  refuse_long_way();
   forces_known_ = false;
   const PassSums sums = integrate(s, settings_.damping, any_applied_, settings_.threads);
   s.energy.damping += sums.damping;

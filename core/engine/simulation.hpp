@@ -87,6 +87,7 @@ class Simulation final : public LoadControl {
   double share_of_critical() const;
   void check_critical_step();
   void follow_neighbours();
+  void refuse_long_way() const;
   void record_breaks();
   void fold_chunk_sums();
   double elastic_energy();

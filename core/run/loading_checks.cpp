@@ -22,16 +22,6 @@ double fastest_boundary(const State& s) {
 }  // namespace
 
 void check_time_step(Simulation& simulation, const ChecksConfig& limits, Host& host) {
-  // No test can be made of a few steps: the platens would be through the specimen before they were stopped.
-  constexpr double most = 0.05;
-  const State& state = simulation.state();
-  const double speed = fastest_boundary(state), height = state.specimen.height;
-  if (height > 0 && speed * state.time_step > most * height)
-    throw UserError(
-        fmt::format("in one time step of {:.3g} s a boundary that moves at {:.3g} m/s would go {:.3g} m, and the "
-                    "specimen is {:.3g} "
-                    "m high: check density, moduli and velocity for their units",
-                    state.time_step, speed, speed * state.time_step, height));
   const auto found = simulation.step_setter(limits.time_step_ratio);
   if (!found) return;
   const Particles& p = simulation.state().particles;

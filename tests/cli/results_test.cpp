@@ -150,7 +150,7 @@ TEST_F(Results, WhatTheManifestDoesNotNameIsNotResults) {
   EXPECT_EQ(files("d"), d);
   // A manifest cannot lead out of its folder.
   write("d/breccia.json", R"({"format": "breccia results 1", "finished": true, "files": ["../small.csv", "curves.csv",
-    "/etc/hostname", "summary.json", "run.log", "resolved.yaml"]})");
+    "curves.json", "/etc/hostname", "summary.json", "run.log", "resolved.yaml"]})");
   EXPECT_EQ(run("--output d --overwrite").code, 0);
   EXPECT_TRUE(fs::exists(folder_ / "small.csv"));
 }

@@ -211,7 +211,7 @@ TEST(Materials, OneGivenTwiceUnderTwoNamesGivesTheBitsOfOne) {
   const auto end = [&](const Materials& materials, const Json& config) {
     Specimen s(block, config, materials, 1, {}, 0.1);
     s.simulation.prepare();
-    for (Index k = 0; k < 49; ++k) s.simulation.hold(s.row_of(k), dof::all, Vec3(0, 0, -1.5), Vec3::Zero());
+    for (Index k = 0; k < 49; ++k) s.simulation.hold(s.row_of(k), dof::all, Vec3(0, 0, -0.1), Vec3::Zero());
     s.steps(300);
     EXPECT_GT(s.simulation.broken_bonds(), 20u);
     return s.simulation.state().particles.position;
