@@ -42,7 +42,7 @@ class Specimen {
     SimulationView v;
     v.dimension = dimension_;
     v.time = time;
-    v.particles = {position_, velocity_, spin_, initial_, force_, spin_, {}, {}, radius_, mass_, {}, id_};
+    v.particles = {position_, velocity_, spin_, initial_, force_, spin_, {}, {}, radius_, mass_, {}, id_, {}};
     v.pairs = {pair_i_, pair_j_, pair_length_, pair_state_, pair_bond_, pair_force_, {}, {}};
     v.bonds = {bond_i_, bond_j_, bond_length_, bond_state_, break_time_, break_position_, break_normal_, bond_pair_};
     v.walls = walls_;

@@ -298,7 +298,7 @@ TEST_P(Outlines, AreThoseOfTheSpecimen) {
   const std::vector<Index> id{0, 1, 2, 3, 4, 5, 6, 7};
   view.pairs = {};
   view.walls = {};
-  view.particles = {corners, none, none, corners, none, none, {}, {}, radius, radius, {}, id};
+  view.particles = {corners, none, none, corners, none, none, {}, {}, radius, radius, {}, id, {}};
   Folder from, to;
   QuietHost host;
   auto output = make<Output>(BRECCIA_VTK_PLUGIN, {});
