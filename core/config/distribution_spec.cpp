@@ -31,9 +31,9 @@ ParamSpec distribution_spec(const ParamSpec& parameter) {
   add("standard_deviation", ParamType::quantity, parameter.unit, "of a shape other than weibull").lower =
       Bound{0, false};
   add("coefficient_of_variation", ParamType::quantity, "1", "standard deviation over mean").lower = Bound{0, false};
-  add("at_least", ParamType::quantity, parameter.unit, "truncated there; default: where the parameter's range ends");
-  add("at_most", ParamType::quantity, parameter.unit, "truncated there");
-  for (const char* limit : {"at_least", "at_most"})
+  add("min", ParamType::quantity, parameter.unit, "truncated there; default: where the parameter's range ends");
+  add("max", ParamType::quantity, parameter.unit, "truncated there");
+  for (const char* limit : {"min", "max"})
     for (ParamSpec& p : group.members)
       if (p.name == limit) p.lower = parameter.lower, p.upper = parameter.upper;
   group.exactly_one_of.push_back({"modulus", "standard_deviation", "coefficient_of_variation"});
@@ -49,10 +49,10 @@ Issues check_distribution(const Json& d) {
     issues.push_back({"modulus", "only a weibull distribution has one; give `coefficient_of_variation`"});
   const double mean = d.at("mean");
   if (!(mean > 0)) issues.push_back({"mean", "of something that scatters must be above zero"});
-  if (d.contains("at_least") && d.contains("at_most") && !(d.at("at_least") < d.at("at_most")))
-    issues.push_back({"at_most", "must be above `at_least`"});
-  if (d.contains("at_least") && d.at("at_least") > mean) issues.push_back({"at_least", "must not be above the mean"});
-  if (d.contains("at_most") && d.at("at_most") < mean) issues.push_back({"at_most", "must not be below the mean"});
+  if (d.contains("min") && d.contains("max") && !(d.at("min") < d.at("max")))
+    issues.push_back({"max", "must be above `min`"});
+  if (d.contains("min") && d.at("min") > mean) issues.push_back({"min", "must not be above the mean"});
+  if (d.contains("max") && d.at("max") < mean) issues.push_back({"max", "must not be below the mean"});
   return issues;
 }
 

@@ -72,9 +72,11 @@ void check_curves(const Workflow& w, const Registry& registry) {
       ContactLaws laws(registry, with_means(w.contact_law));
       Simulation simulation(assemble(stand_in(int(w.dimension), outline), {2650.0}, int(w.dimension), w.thickness),
                             laws.interactions(), {});
-      simulation.bond({GapMeasure::relative, 1e-6, std::nullopt}, SpecimenToTell{0.3, 6});
-      laws.within([] {});
-      const SimulationView view = simulation.view();
+      SimulationView view;
+      laws.within([&] {
+        simulation.bond({GapMeasure::relative, 1e-6, std::nullopt}, SpecimenToTell{0.3, 6});
+        view = simulation.view();
+      });
       const auto protocol = registry.create<Protocol>(w.protocol);
       for (const PluginChoice& c : w.postprocessors) postprocessors.emplace_back(c, registry);
       set_up(view, simulation, *protocol, {Protocol::kind, w.protocol.type}, postprocessors, curves, host);

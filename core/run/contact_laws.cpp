@@ -22,8 +22,8 @@ Distribution distribution_of(const Json& j, const ParamSpec& parameter) {
   if (j.contains("coefficient_of_variation")) d.deviation = j["coefficient_of_variation"].get<double>() * d.mean;
   if (parameter.lower) d.lower = parameter.lower->value;
   if (parameter.upper) d.upper = parameter.upper->value;
-  if (j.contains("at_least")) d.lower = j["at_least"].get<double>();
-  if (j.contains("at_most")) d.upper = j["at_most"].get<double>();
+  if (j.contains("min")) d.lower = j["min"].get<double>();
+  if (j.contains("max")) d.upper = j["max"].get<double>();
   return d;
 }
 

@@ -24,7 +24,6 @@ class ContactLaws {
   Interactions interactions() const;  ///< for as long as this lives
   ContactLaw& law(std::size_t k) const { return *named_[k].law; }
   const std::string& name(std::size_t law) const { return named_[law].name; }
-  const NamedLaw& named(std::size_t law) const { return named_[law]; }
   std::size_t size() const { return named_.size(); }
 
   /// Around calls of the engine: what a law threw within comes out. It goes before what the engine makes of the numbers

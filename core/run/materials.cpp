@@ -17,8 +17,8 @@ std::uint8_t number_of(const std::string& name, const std::vector<Material>& mat
   return std::uint8_t(at - materials.begin());
 }
 
-/// Gives parts of the given volumes to the materials in random order, each to the one that lacks most of its share: the
-/// shares come out to within one part.
+/// Gives parts of the given volumes to the materials in random order, to each with a chance that goes by what it still
+/// lacks of its share: the shares come out to within about one part.
 std::vector<std::uint8_t> by_shares(const ByName<double>& shares, const std::vector<Material>& materials,
                                     const std::vector<double>& volume, std::uint64_t seed, const char* use) {
   const double total = std::accumulate(volume.begin(), volume.end(), 0.0);
@@ -31,7 +31,6 @@ std::vector<std::uint8_t> by_shares(const ByName<double>& shares, const std::vec
   std::vector<std::uint8_t> of(volume.size());
   std::vector<double> due(shares.size());
   for (std::size_t m = 0; m < due.size(); ++m) due[m] = shares[m].second * total;
-  // By turns of what is still due, drawn at random: large parts and small alike.
   for (const Index k : order) {
     double left = 0;
     for (const double d : due) left += std::max(d, 0.0);
@@ -65,10 +64,11 @@ std::vector<Index> voronoi_cells(const PackedParticles& p, const Space& space, d
   const Vec3 extent = high - low;
   const double cell_volume = flat ? std::numbers::pi / 4 * size * size : std::numbers::pi / 6 * size * size * size;
   const double volume = extent.x() * extent.y() * (flat ? 1.0 : extent.z());
-  constexpr double most = 1e8;
-  if (volume / cell_volume > most)
+  constexpr double most = 100;  // grains a particle: each particle is its own grain long before
+  if (volume / cell_volume > most * double(p.position.size()))
     throw UserError(
-        "material_of.grains.size: more than a hundred million grains would fill the specimen: is its unit right?");
+        "material_of.grains.size: the grains would be far smaller than the particles: is its unit right? Particle by "
+        "particle: `shares`");
   const Index points = Index(std::max(1.0, std::round(volume / cell_volume)));
   const std::uint64_t stream = stream_of("grain centres");
   std::vector<Vec3> centre(points);
