@@ -45,8 +45,8 @@ std::vector<Row> rows_of(const Json& summary, const Json& reference) {
   for (const auto& [key, value] : reference.items()) {
     const bool known = std::any_of(rows.begin(), rows.end(), [&, k = key](const Row& r) { return r.key == k; });
     if (known || !value.is_number() || !summary.contains(key)) continue;
-    const auto [name, unit] = split_unit(key);
-    rows.push_back({key, readable(name), unit});
+    const auto [title, unit] = title_of(key, summary);
+    rows.push_back({key, title, unit});
   }
   return rows;
 }

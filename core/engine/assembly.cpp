@@ -37,6 +37,8 @@ void refuse_bad(const PackedParticles& p) {
     if (!(p.radius[k] > 0) || !std::isfinite(p.radius[k]))
       throw UserError("particle " + std::to_string(k) + " of the packing has a radius that is not a positive number");
   }
+  if (!p.period.allFinite() || (p.period.array() < 0).any())
+    throw UserError("the packing has a period that is not a positive number");
 }
 
 }  // namespace
@@ -94,8 +96,9 @@ State assemble(const PackedParticles& packing, const Materials& materials, int d
     field->assign(n, Vec3::Zero());
   p.reference_position = p.position;
   p.held.assign(n, dimension == 2 ? dof::out_of_plane : std::uint8_t(0));
-  s.specimen = measure_specimen(p.position, p.radius, packing.outline, packing.axis, dimension, thickness,
-                                packing.container_volume);
+  s.cell = s.reference_cell = Cell::box(packing.period);
+  s.specimen = measure_specimen(p.position, p.radius, s.cell.repeats() ? SpecimenShape::Outline::box : packing.outline,
+                                packing.axis, s, packing.container_volume);
   return s;
 }
 

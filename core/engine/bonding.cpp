@@ -5,8 +5,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "breccia/cell_grid.hpp"
 #include "breccia/error.hpp"
+#include "breccia/images.hpp"
+#include "engine/cell_motion.hpp"
 
 namespace breccia {
 namespace {
@@ -16,48 +17,55 @@ struct Candidate {
   double distance, gap;
 };
 
-std::vector<Candidate> pairs_within(const Particles& p, GapMeasure measure, double limit) {
+/// How far apart the centres of a bond may be [m].
+double reach_of(double largest_radius, bool relative, double limit) {
+  return 2 * largest_radius * (1 + (relative ? limit : std::max(0.0, 0.5 * limit / largest_radius)));
+}
+
+std::vector<Candidate> pairs_within(const State& s, GapMeasure measure, double limit) {
+  const Particles& p = s.particles;
   const double largest = *std::max_element(p.radius.begin(), p.radius.end());
   const bool relative = measure == GapMeasure::relative;
   std::vector<Candidate> found;
-  CellGrid(p.position, 2 * largest * (1 + (relative ? limit : std::max(0.0, 0.5 * limit / largest))))
-      .for_each_pair([&](Index i, Index j) {
-        const double d = (p.position[j] - p.position[i]).norm(), touching = p.radius[i] + p.radius[j];
-        const double gap = relative ? d / touching - 1 : d - touching;
-        if (gap <= limit) found.push_back({i, j, d, gap});
-      });
+  const double reach = reach_of(largest, relative, limit);
+  refuse_narrow_cell(s, reach);
+  for_each_pair_within(s, p.position, reach, [&](Index i, Index j) {
+    const double d = s.branch(p.position[i], p.position[j]).norm(), touching = p.radius[i] + p.radius[j];
+    const double gap = relative ? d / touching - 1 : d - touching;
+    if (gap <= limit) found.push_back({i, j, d, gap});
+  });
   return found;
 }
 
 /// Far more than any packing needs; a limit of a metre in place of a millimetre asks for all pairs there are, and for
 /// all memory. Counting needs none.
-void refuse_too_many(const Particles& p, const BondingResult& rule) {
+void refuse_too_many(const State& s, const BondingResult& rule) {
+  const Particles& p = s.particles;
   constexpr std::size_t most = 350;  // bonds a particle; within five times the sum of the radii there are about 300
   if (p.size() <= 2 * most) return;
   const double largest = *std::max_element(p.radius.begin(), p.radius.end());
   const bool relative = rule.measure == GapMeasure::relative;
   std::size_t count = 0;
-  CellGrid(p.position, 2 * largest * (1 + (relative ? rule.limit : std::max(0.0, 0.5 * rule.limit / largest))))
-      .for_each_pair([&](Index i, Index j) {
-        const double reach =
-            relative ? (1 + rule.limit) * (p.radius[i] + p.radius[j]) : p.radius[i] + p.radius[j] + rule.limit;
-        if ((p.position[j] - p.position[i]).squaredNorm() > reach * reach) return;
-        if (++count <= most * p.size()) return;
-        char text[32];
-        std::snprintf(text, sizeof text, relative ? "%.4g" : "%.4g m", rule.limit);
-        throw UserError(std::string("bonding.") + (relative ? "tolerance" : "gap") + ": within " + text + " the " +
-                        std::to_string(p.size()) + " particles have more than " + std::to_string(2 * most) +
-                        " neighbours each, where some 12 are bonded as a rule: is its unit right?");
-      });
+  CellGrid(p.position, reach_of(largest, relative, rule.limit)).for_each_pair([&](Index i, Index j) {
+    const double reach =
+        relative ? (1 + rule.limit) * (p.radius[i] + p.radius[j]) : p.radius[i] + p.radius[j] + rule.limit;
+    if ((p.position[j] - p.position[i]).squaredNorm() > reach * reach) return;
+    if (++count <= most * p.size()) return;
+    char text[32];
+    std::snprintf(text, sizeof text, relative ? "%.4g" : "%.4g m", rule.limit);
+    throw UserError(std::string("bonding.") + (relative ? "tolerance" : "gap") + ": within " + text + " the " +
+                    std::to_string(p.size()) + " particles have more than " + std::to_string(2 * most) +
+                    " neighbours each, where some 12 are bonded as a rule: is its unit right?");
+  });
 }
 
 /// The candidates with the smallest gaps, as many as asked; equal gaps stand or fall together, so a lattice stays one.
-std::vector<Candidate> nearest_pairs(const Particles& p, GapMeasure measure, std::size_t wanted, double& limit) {
+std::vector<Candidate> nearest_pairs(const State& s, GapMeasure measure, std::size_t wanted, double& limit) {
   double mean = 0;
-  for (const double r : p.radius) mean += r / double(p.size());
+  for (const double r : s.particles.radius) mean += r / double(s.particles.size());
   const double unit = measure == GapMeasure::relative ? 1.0 : 2 * mean;
   for (double reach = 0.25; reach < 8; reach *= 2) {
-    std::vector<Candidate> found = pairs_within(p, measure, reach * unit);
+    std::vector<Candidate> found = pairs_within(s, measure, reach * unit);
     if (found.size() < wanted) continue;
     std::vector<double> gaps(found.size());
     std::transform(found.begin(), found.end(), gaps.begin(), [](const Candidate& c) { return c.gap; });
@@ -82,11 +90,11 @@ BondingResult make_bonds(State& state, const BondingRule& rule) {
     if (wanted > p.size() * (p.size() - 1) / 2)
       throw UserError("bonding.coordination_number: " + std::to_string(p.size()) +
                       " particles cannot have that many neighbours");
-    if (wanted > 0) chosen = nearest_pairs(p, rule.measure, wanted, result.limit);
+    if (wanted > 0) chosen = nearest_pairs(state, rule.measure, wanted, result.limit);
   } else {
     result.limit = *rule.limit;
-    refuse_too_many(p, result);
-    chosen = pairs_within(p, rule.measure, result.limit);
+    refuse_too_many(state, result);
+    chosen = pairs_within(state, rule.measure, result.limit);
   }
   std::sort(chosen.begin(), chosen.end(),
             [](const Candidate& a, const Candidate& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; });

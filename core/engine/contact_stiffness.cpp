@@ -25,7 +25,7 @@ bool within_reach(const State& s, std::size_t pair, const std::vector<Vec3>& pos
   if (s.pairs.state[pair] == BondState::intact) return true;
   const Index i = s.pairs.i[pair], j = s.pairs.j[pair];
   const double length = std::max(s.particles.radius[i] + s.particles.radius[j], s.pairs.rest_length[pair]);
-  return (position[j] - position[i]).norm() < length + reach;
+  return s.branch(position[i], position[j]).norm() < length + reach;
 }
 
 bool within_reach(const State& s, const WallTouch& t, double reach) {
@@ -35,7 +35,7 @@ bool within_reach(const State& s, const WallTouch& t, double reach) {
 ContactEnd end_of(const State& s, std::size_t pair, bool second, const ContactStiffness& stiffness) {
   const Particles& p = s.particles;
   const Index i = s.pairs.i[pair], j = s.pairs.j[pair];
-  const Vec3 branch = p.position[j] - p.position[i];
+  const Vec3 branch = s.branch(p.position[i], p.position[j]);
   const double d = branch.norm(), half_gap = 0.5 * (d - p.radius[i] - p.radius[j]);
   return {branch / (second ? -d : d), p.radius[second ? j : i] + half_gap, p.radius[second ? i : j] + half_gap,
           stiffness};

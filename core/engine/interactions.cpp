@@ -58,10 +58,42 @@ BRECCIA_KERNEL void gather(const PairBatch& b, std::size_t first, std::size_t n,
     for (std::size_t k = 0; k < n; ++k) g.may_break[k] = b.guarded[first + k] ? 0.0 : g.intact[k];
 }
 
-BRECCIA_VECTOR_CLONES void gather_chunk(const PairBatch& b, std::size_t first, std::size_t n, bool with_mass,
-                                        PairChunk& g) {
+BRECCIA_VECTOR_CLONES void gather_particles(const PairBatch& b, std::size_t first, std::size_t n, bool with_mass,
+                                            PairChunk& g) {
   if (b.guarded) with_mass ? gather<true, true>(b, first, n, g) : gather<false, true>(b, first, n, g);
   else with_mass ? gather<true, false>(b, first, n, g) : gather<false, false>(b, first, n, g);
+}
+
+/// By how many cells each j is taken back to be the image nearest to i.
+struct alignas(64) PairImages {
+  double x[PairChunk::capacity], y[PairChunk::capacity], z[PairChunk::capacity];
+};
+
+/// The image moves with the cell, too.
+BRECCIA_VECTOR_CLONES void to_nearest_images(const Cell& cell, const Mat3& velocity, PairChunk& g, PairImages& m) {
+  const Mat3 w = cell.inverse(), v = cell.vectors(), u = velocity;
+  const std::size_t n = g.size;
+#pragma omp simd
+  for (std::size_t k = 0; k < n; ++k) {
+    const double x = g.dx[k], y = g.dy[k], z = g.dz[k];
+    const double a = nearest_whole(w(0, 0) * x + w(0, 1) * y + w(0, 2) * z),
+                 b = nearest_whole(w(1, 0) * x + w(1, 1) * y + w(1, 2) * z),
+                 c = nearest_whole(w(2, 0) * x + w(2, 1) * y + w(2, 2) * z);
+    m.x[k] = a;
+    m.y[k] = b;
+    m.z[k] = c;
+    g.dx[k] = x - (v(0, 0) * a + v(0, 1) * b + v(0, 2) * c);
+    g.dy[k] = y - (v(1, 0) * a + v(1, 1) * b + v(1, 2) * c);
+    g.dz[k] = z - (v(2, 0) * a + v(2, 1) * b + v(2, 2) * c);
+    g.vx[k] -= u(0, 0) * a + u(0, 1) * b + u(0, 2) * c;
+    g.vy[k] -= u(1, 0) * a + u(1, 1) * b + u(1, 2) * c;
+    g.vz[k] -= u(2, 0) * a + u(2, 1) * b + u(2, 2) * c;
+  }
+}
+
+void gather_chunk(const PairBatch& b, std::size_t first, std::size_t n, bool with_mass, PairChunk& g, PairImages& m) {
+  gather_particles(b, first, n, with_mass, g);
+  if (b.cell) to_nearest_images(*b.cell, *b.cell_velocity, g, m);
 }
 
 /// Adds a chunk to the sums of its particles, pair by pair. Torques: lever arm times n x shear force, and the moment,
@@ -127,6 +159,24 @@ BRECCIA_VECTOR_CLONES void add_dissipated(const PairAnswer& e, std::size_t n, Di
 
 BRECCIA_VECTOR_CLONES bool any_breaks(const PairAnswer& e, std::size_t n) { return lane_sum(e.breaks, n) > 0; }
 
+/// sum over the chunk of a (x) b.
+Mat3 dyad_sum(const double* const (&a)[3], const double* const (&b)[3], std::size_t n) {
+  Mat3 sum;
+  double product[PairChunk::capacity];
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) {
+      for (std::size_t k = 0; k < n; ++k) product[k] = a[r][k] * b[c][k];
+      sum(r, c) = lane_sum(product, n);
+    }
+  return sum;
+}
+
+CellForces forces_on_cell(const PairChunk& g, const PairImages& m, const PairAnswer& e) {
+  const double *const force[3] = {e.fx, e.fy, e.fz}, *const branch[3] = {g.dx, g.dy, g.dz},
+                      *const image[3] = {m.x, m.y, m.z};
+  return {dyad_sum(force, image, g.size), dyad_sum(branch, force, g.size)};
+}
+
 void record_breaks(const PairBatch& b, std::size_t at, std::size_t first, std::size_t n, const PairAnswer& e) {
   if (!any_breaks(e, n)) return;
   b.chunk_broke[at] = 1;
@@ -139,9 +189,10 @@ void record_breaks(const PairBatch& b, std::size_t at, std::size_t first, std::s
 template <class F>
 void for_each_chunk(const PairBatch& b, std::size_t columns, F&& f) {
   PairChunk chunk;
+  PairImages images;
   std::vector<double*> rows(columns);
   for (std::size_t first = b.begin; first < b.end; first += PairBatch::chunk) {
-    gather_chunk(b, first, std::min(PairBatch::chunk, b.end - first), true, chunk);
+    gather_chunk(b, first, std::min(PairBatch::chunk, b.end - first), true, chunk, images);
     for (std::size_t c = 0; c < columns; ++c) rows[c] = b.columns[c] + first;
     f(first, chunk, rows.data());
   }
@@ -222,13 +273,14 @@ void Interactions::initialise(const PairBatch& b) const {
 
 void Interactions::evaluate(const PairBatch& b) const {
   PairChunk chunk;
+  PairImages images;
   PairAnswer answer;
   std::vector<double*> rows(columns_);
   const bool clear_moments = has_moments_ && !laws_.front().law->has_moments();  // the first law does not write them
   std::size_t at = b.chunk_start ? b.first_chunk : b.begin / PairBatch::chunk, n = 0;
   for (std::size_t first = b.begin; first < b.end; first += n, ++at) {
     n = b.chunk_start ? b.chunk_start[at + 1] - first : std::min(PairBatch::chunk, b.end - first);
-    gather_chunk(b, first, n, needs_mass_, chunk);
+    gather_chunk(b, first, n, needs_mass_, chunk, images);
     for (std::size_t c = 0; c < columns_; ++c) rows[c] = b.columns[c] + first;
     Dissipated* dissipated = b.dissipated + laws_.size() * at;
     if (clear_moments)
@@ -238,6 +290,7 @@ void Interactions::evaluate(const PairBatch& b) const {
       add_dissipated(answer, n, dissipated[l]);
     }
     scatter_chunk(b, at, first, has_moments_, chunk, answer);
+    if (b.cell_forces) b.cell_forces[at] = forces_on_cell(chunk, images, answer);
     if (makes_bonds_) record_breaks(b, at, first, n, answer);
   }
 }
@@ -291,6 +344,10 @@ PairBatch whole_batch(State& s, std::vector<double*>& column_pointers) {
   b.force = s.pairs.force.data();
   b.moment = s.pairs.moment.data();
   b.time_step = s.time_step;
+  if (s.cell.repeats()) {
+    b.cell = &s.cell;
+    b.cell_velocity = &s.cell_velocity;
+  }
   return b;
 }
 

@@ -22,7 +22,7 @@ std::string about(const State& s, std::size_t pair, const std::string& names) {
 }
 
 double distance(const State& s, std::size_t pair) {
-  return (s.particles.position[s.pairs.j[pair]] - s.particles.position[s.pairs.i[pair]]).norm();
+  return s.branch(s.particles.position[s.pairs.i[pair]], s.particles.position[s.pairs.j[pair]]).norm();
 }
 
 double touching(const State& s, std::size_t pair) {
@@ -46,8 +46,9 @@ struct OnePair {
       id[e] = s.particles.id[ends[e]];
       if (!s.particles.material.empty()) material[e] = s.particles.material[ends[e]];
     }
-    normal = (position[1] - position[0]).normalized();
-    position[1] += stretch * normal;
+    const Vec3 branch = s.branch(position[0], position[1]);
+    normal = branch.normalized();
+    position[1] = position[0] + branch + stretch * normal;
     for (std::size_t c = 0; c < column.size(); ++c) column[c] = s.pairs.columns[c][k];
     for (double& c : column) columns.push_back(&c);
     batch.end = 1;

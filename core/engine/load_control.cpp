@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "breccia/protocol_tools/equilibrium.hpp"
+#include "engine/cell_motion.hpp"
 #include "engine/simulation.hpp"
 #include "engine/specimen.hpp"
 #include "engine/walls.hpp"
@@ -54,8 +55,8 @@ BondStiffness Simulation::bond_stiffness() {
 
 SpecimenShape Simulation::set_specimen_axis(const Vec3& axis) {
   const SpecimenShape& old = state_.specimen;
-  state_.specimen = measure_specimen(state_.particles.position, state_.particles.radius, old.outline, axis,
-                                     state_.dimension, state_.thickness, old.volume);
+  state_.specimen =
+      measure_specimen(state_.particles.position, state_.particles.radius, old.outline, axis, state_, old.volume);
   return state_.specimen;
 }
 
@@ -63,13 +64,14 @@ void Simulation::mark_start_of_loading() {
   fold_chunk_sums();
   state_.energy = {};
   state_.dissipated.assign(laws_.size(), {});
-  state_.energy.boundary_work = wall_work_ahead(state_) - led_work_behind(state_);
+  state_.energy.boundary_work = wall_work_ahead(state_) - led_work_behind(state_) - cell_work_behind(state_);
   state_.energy.initial = elastic_energy() + kinetic_energy(state_);
   state_.particles.reference_position = state_.particles.position;
+  state_.reference_cell = state_.cell;
   for (Wall& w : state_.walls) w.displacement.setZero();
   const SpecimenShape& old = state_.specimen;
-  state_.specimen = measure_specimen(state_.particles.position, state_.particles.radius, old.outline, old.axis,
-                                     state_.dimension, state_.thickness, old.volume);
+  state_.specimen =
+      measure_specimen(state_.particles.position, state_.particles.radius, old.outline, old.axis, state_, old.volume);
   loading_started_ = true;
 }
 
@@ -84,7 +86,22 @@ void Simulation::protect_bond(Index bond) {
   b.guarded[bond] = 1;
 }
 
+void Simulation::set_cell_velocity(const Mat3& velocity) {
+  BRECCIA_ASSERT(state_.cell.repeats() || velocity.isZero(0));
+  state_.cell_velocity_asked = velocity;
+}
+
+Mat3 Simulation::cell_stress() const {
+  BRECCIA_ASSERT(state_.repeats_all_round());
+  return state_.cell_forces.virial / state_.cell_volume();
+}
+
 std::size_t Simulation::add_wall(const WallSpec& w) {
+  for (int k = 0; k < 3; ++k)
+    if (state_.cell.repeats(k) && (w.cylinder_radius > 0) != (std::abs(w.normal[k]) > 1e-9))
+      throw UserError(std::string("the wall `") + w.name + "` stands across " + "xyz"[k] +
+                      ", along which space repeats itself: take " + "xyz"[k] +
+                      " out of `periodic`, or test along another axis");
   Wall wall;
   wall.name = w.name;
   wall.point = w.point;
@@ -128,7 +145,7 @@ void Simulation::release(Index a, std::uint8_t mask) {
 }
 
 void Simulation::set_applied_force(Index a, const Vec3& force, const Mat3& moment) {
-  external_force_[a] += force - state_.particles.applied_force[a];
+  loads_.change(a, force - state_.particles.applied_force[a]);
   state_.particles.applied_force[a] = force;
   state_.particles.applied_moment.resize(state_.particles.size(), Mat3::Zero());
   state_.particles.applied_moment[a] = moment;

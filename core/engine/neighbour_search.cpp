@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "breccia/contact_law.hpp"
+#include "engine/cell_motion.hpp"
 
 namespace breccia {
 namespace {
@@ -23,22 +24,28 @@ BRECCIA_VECTOR_CLONES void excess(const double* x, const double* y, const double
 
 }  // namespace
 
-NeighbourSearch::NeighbourSearch(const Particles& p, double skin)
-    : p_(p), skin_(skin), grid_(p.position, 2 * *std::max_element(p.radius.begin(), p.radius.end()) + skin) {
+NeighbourSearch::NeighbourSearch(const Space& space, const Particles& p, double skin)
+    : space_(space),
+      p_(p),
+      skin_(skin),
+      reach_(2 * *std::max_element(p.radius.begin(), p.radius.end()) + skin),
+      images_(space, p.position, reach_),
+      grid_(images_.position, reach_) {
+  refuse_narrow_cell(space, reach_);
   const auto members = grid_.members();
   for (auto* v : {&x_, &y_, &z_, &r_}) v->resize(members.size());
   for (std::size_t m = 0; m < members.size(); ++m) {
-    const Vec3& at = p.position[members[m]];
+    const Vec3& at = images_.position[members[m]];
     x_[m] = at.x();
     y_[m] = at.y();
     z_[m] = at.z();
-    r_[m] = p.radius[members[m]];
+    r_[m] = p.radius[images_.of[members[m]]];
   }
 }
 
 void NeighbourSearch::append_partners(Index i, std::vector<Index>& out) const {
   double over[block];
-  const Vec3& at = p_.position[i];
+  const Vec3& at = images_.position[i];
   const double reach = p_.radius[i] + skin_;
   grid_.for_each_run_near(at, [&](std::size_t begin, std::size_t end) {
     for (std::size_t m = begin; m < end; m += block) {
@@ -46,8 +53,9 @@ void NeighbourSearch::append_partners(Index i, std::vector<Index>& out) const {
       excess(&x_[m], &y_[m], &z_[m], &r_[m], n, at, reach, over);
       for (std::size_t k = 0; k < n; ++k) {
         if (over[k] >= 0) continue;
-        const Index j = grid_.members()[m + k];
-        if (j > i && (p_.position[j] - at).norm() < p_.radius[i] + p_.radius[j] + skin_) out.push_back(j);
+        const Index j = images_.of[grid_.members()[m + k]];
+        if (j > i && space_.branch(p_.position[i], p_.position[j]).norm() < p_.radius[i] + p_.radius[j] + skin_)
+          out.push_back(j);
       }
     }
   });

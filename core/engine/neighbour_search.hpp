@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "breccia/cell_grid.hpp"
+#include "breccia/images.hpp"
 #include "model/state.hpp"
 
 namespace breccia {
@@ -12,14 +12,18 @@ namespace breccia {
 /// Keeps copies of what it reads in the order of the cells, so that candidates lie side by side in memory.
 class NeighbourSearch {
  public:
-  NeighbourSearch(const Particles& particles, double skin);
+  /// UserError if space repeats itself so soon that a particle could meet two images of another.
+  NeighbourSearch(const Space& space, const Particles& particles, double skin);
 
-  /// Appends, in no particular order, every j > i with |x_j - x_i| < r_i + r_j + skin. Any number of threads may ask.
+  /// Appends, in no particular order, every j > i whose branch vector is shorter than r_i + r_j + skin. Any number of
+  /// threads may ask.
   void append_partners(Index i, std::vector<Index>& out) const;
 
  private:
+  const Space& space_;
   const Particles& p_;
-  double skin_;
+  double skin_, reach_;
+  Images images_;
   CellGrid grid_;
   std::vector<double> x_, y_, z_, r_;
 };

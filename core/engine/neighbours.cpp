@@ -9,7 +9,9 @@
 namespace breccia {
 namespace {
 
-double distance(const Particles& p, Index i, Index j) { return (p.position[j] - p.position[i]).norm(); }
+double distance(const State& s, Index i, Index j) {
+  return s.branch(s.particles.position[i], s.particles.position[j]).norm();
+}
 
 /// Rows of `pairs` that start with each i: [start[i], start[i + 1]).
 std::vector<std::size_t> rows_by_first(const std::vector<Index>& first, std::size_t particles) {
@@ -76,6 +78,17 @@ struct Rows {
   std::size_t start = 0;          ///< in the new list
 };
 
+/// The farthest from where the strain of the space alone would have taken it, all but a motion in common.
+double largest_against(const State& s, const std::vector<Vec3>& from, const Cell& cell) {
+  const Mat3 growth = Mat3::Identity() + (s.cell.vectors() - cell.vectors()) * cell.inverse();
+  const auto& x = s.particles.position;
+  Vec3 mean = Vec3::Zero();
+  for (std::size_t k = 0; k < x.size(); ++k) mean += (x[k] - growth * from[k]) / double(x.size());
+  double most = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) most = std::max(most, (x[k] - growth * from[k] - mean).squaredNorm());
+  return std::sqrt(most);
+}
+
 }  // namespace
 
 void rebuild_pairs(State& s, const Interactions& law, double skin, Pairs& spare, int threads) {
@@ -86,7 +99,7 @@ void rebuild_pairs(State& s, const Interactions& law, double skin, Pairs& spare,
   Pairs& q = s.pairs;
   const auto old_start = rows_by_first(old.i, n);
   const auto bond_start = rows_by_first(s.bonds.i, n);
-  const NeighbourSearch search(p, skin);
+  const NeighbourSearch search(s, p, skin);
 
   std::vector<Rows> blocks((n + Rows::particles - 1) / Rows::particles);
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
@@ -98,10 +111,10 @@ void rebuild_pairs(State& s, const Interactions& law, double skin, Pairs& spare,
       partners.clear();
       search.append_partners(i, partners);
       for (std::size_t k = bond_start[i]; k < bond_start[i + 1]; ++k)
-        if (s.bonds.state[k] == BondState::intact || distance(p, i, s.bonds.j[k]) < s.bonds.initial_distance[k] + skin)
+        if (s.bonds.state[k] == BondState::intact || distance(s, i, s.bonds.j[k]) < s.bonds.initial_distance[k] + skin)
           partners.push_back(s.bonds.j[k]);
       for (std::size_t k = old_start[i]; k < old_start[i + 1]; ++k)
-        if (distance(p, i, old.j[k]) >= p.radius[i] + p.radius[old.j[k]] + skin && memory.holds(k))
+        if (distance(s, i, old.j[k]) >= p.radius[i] + p.radius[old.j[k]] + skin && memory.holds(k))
           partners.push_back(old.j[k]);
       std::sort(partners.begin(), partners.end());
       partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
@@ -150,7 +163,7 @@ void rebuild_pairs(State& s, const Interactions& law, double skin, Pairs& spare,
         q.bond[k] = bonded ? Index(at - s.bonds.j.begin()) : PairsView::no_bond;
         q.state[k] = bonded ? s.bonds.state[q.bond[k]] : BondState::unbonded;
         q.rest_length[k] =
-            bonded ? s.bonds.initial_distance[q.bond[k]] : std::min(distance(p, i, j), p.radius[i] + p.radius[j]);
+            bonded ? s.bonds.initial_distance[q.bond[k]] : std::min(distance(s, i, j), p.radius[i] + p.radius[j]);
         PairBatch one = all;
         one.begin = k;
         one.end = k + 1;
@@ -160,7 +173,8 @@ void rebuild_pairs(State& s, const Interactions& law, double skin, Pairs& spare,
     }
   }
   s.positions_at_rebuild = p.position;
-  s.moved_bound = s.walls_moved = 0;
+  s.cell_at_rebuild = s.cell;
+  s.moved_bound = s.walls_moved = s.strained = 0;
 }
 
 Incidence make_incidence(const State& s, int threads) {
@@ -194,7 +208,8 @@ Incidence make_incidence(const State& s, int threads) {
   return in;
 }
 
-double largest_displacement(const State& s, const std::vector<Vec3>& from, int threads) {
+double largest_displacement(const State& s, const std::vector<Vec3>& from, const Cell& cell, int threads) {
+  if (s.cell.vectors() != cell.vectors()) return largest_against(s, from, cell);
   double most = 0;
 #pragma omp parallel for schedule(static) num_threads(threads) reduction(max : most)
   for (std::size_t k = 0; k < s.particles.size(); ++k)

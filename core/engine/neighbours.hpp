@@ -25,7 +25,8 @@ void rebuild_pairs(State& state, const Interactions& law, double skin, Pairs& sp
 
 Incidence make_incidence(const State& state, int threads);
 
-/// The farthest that any particle has moved from where it was [m].
-double largest_displacement(const State& state, const std::vector<Vec3>& from, int threads);
+/// The farthest that any particle has moved from where it was, when the cell was `cell`; against the strain of a space
+/// that repeats itself [m].
+double largest_displacement(const State& state, const std::vector<Vec3>& from, const Cell& cell, int threads);
 
 }  // namespace breccia

@@ -35,6 +35,9 @@ struct PairBatch {
   Dissipated* dissipated = nullptr;     ///< added to: one per chunk and law, those of a chunk side by side
   std::uint8_t* chunk_broke = nullptr;  ///< one per chunk, set when a bond in it broke
   double time_step = 0;
+  const Cell* cell = nullptr;  ///< of a space that repeats itself; null where it does not
+  const Mat3* cell_velocity = nullptr;
+  CellForces* cell_forces = nullptr;  ///< one per chunk, written anew; none if null
 };
 
 /// All pairs of the state. `column_pointers` keeps what `columns` points to.

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "breccia/contact.hpp"
+#include "engine/cell_motion.hpp"
 
 namespace breccia {
 namespace {
@@ -67,8 +69,7 @@ void clear_forces(State& s, const Share& share) {
             Vec3::Zero());
 }
 
-void complete_forces(State& s, const Share& share, const Incidence& in, const std::vector<Vec3>& external_force,
-                     const std::vector<Vec3>& external_torque) {
+void complete_forces(State& s, const Share& share, const Incidence& in, const ExternalLoads& loads) {
   Particles& p = s.particles;
   const Vec3* moment = s.pairs.moment.empty() ? nullptr : s.pairs.moment.data();
   for (const Index a : share.apart)
@@ -81,32 +82,71 @@ void complete_forces(State& s, const Share& share, const Incidence& in, const st
       p.torque[a] += torque;
     }
   for (Index a = share.first_particle; a < share.end_particle; ++a) {
-    p.force[a] += external_force[a];
-    p.torque[a] += external_torque[a];
+    p.force[a] += loads.force(a);
+    p.torque[a] += loads.torque(a);
   }
 }
+
+/// The velocities of particles [first, end) as seen from the strained space, for as long as this lives.
+class SeenFromCell {
+ public:
+  SeenFromCell(Particles& p, const CellField& field, std::size_t first, std::size_t end)
+      : p_(p), first_(first), end_(field.any() ? end : first) {
+    for (std::size_t a = first_; a < end_; ++a) {
+      Vec3& drift = drift_[a - first_] = field.at(p.position[a]);
+      for (int k = 0; k < 3; ++k)
+        if (p.held[a] >> k & 1) drift[k] = 0;
+      before_[a - first_] = p.velocity[a] -= drift;
+    }
+  }
+  SeenFromCell(const SeenFromCell&) = delete;
+  SeenFromCell& operator=(const SeenFromCell&) = delete;
+  ~SeenFromCell() {
+    for (std::size_t a = first_; a < end_; ++a) p_.velocity[a] += drift_[a - first_];
+  }
+  /// What the damping took from the drift, after the velocities were advanced by `dt` [J].
+  double damped(double dt) const {
+    double sum = 0;
+    for (std::size_t a = first_; a < end_; ++a) {
+      const Vec3 gained = p_.mass[a] * (p_.velocity[a] - before_[a - first_]) - dt * p_.force[a];
+      sum -= gained.dot(drift_[a - first_]);
+    }
+    return sum;
+  }
+
+ private:
+  Particles& p_;
+  std::size_t first_, end_;
+  Vec3 drift_[block], before_[block];
+};
 
 PassSums integrate(State& s, const Damping& damping, bool any_applied, int threads) {
   Particles& p = s.particles;
   const double dt = s.time_step;
   const std::size_t n = p.size(), blocks = (n + block - 1) / block;
   std::vector<PassSums> sums(blocks);
+  const CellField field = cell_field(s);
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::ptrdiff_t b = 0; b < std::ptrdiff_t(blocks); ++b) {
     PassSums& sum = sums[b];
     const std::size_t first = std::size_t(b) * block, end = std::min(n, first + block);
     double lost[2][block], work[2][block];
     if (any_applied) sum.boundary_work += half_applied_work(p, first, end, dt);
-    advance(p.velocity[first].data(), p.force[first].data(), &p.mass[first], &p.held[first], 0, end - first,
-            damping.translational, dt, lost[0], work[0]);
-    advance(p.angular_velocity[first].data(), p.torque[first].data(), &p.inertia[first], &p.held[first], 3, end - first,
-            damping.rotational, dt, lost[1], work[1]);
+    {
+      std::optional<SeenFromCell> seen;
+      if (field.any()) seen.emplace(p, field, first, end);
+      advance(p.velocity[first].data(), p.force[first].data(), &p.mass[first], &p.held[first], 0, end - first,
+              damping.translational, dt, lost[0], work[0]);
+      if (seen) sum.damping += seen->damped(dt);
+      advance(p.angular_velocity[first].data(), p.torque[first].data(), &p.inertia[first], &p.held[first], 3,
+              end - first, damping.rotational, dt, lost[1], work[1]);
+      sum.largest_speed = largest_speed(p, first, end);
+    }
     if (any_applied) sum.boundary_work += half_applied_work(p, first, end, dt);
     for (std::size_t k = 0; k < end - first; ++k) {
       sum.damping += lost[0][k] + lost[1][k];
       sum.boundary_work += work[0][k] + work[1][k];
     }
-    sum.largest_speed = largest_speed(p, first, end);
     if (sum.largest_speed < infinity)
       for (std::size_t a = first; a < end; ++a) p.position[a] += dt * p.velocity[a];
   }

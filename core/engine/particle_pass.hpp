@@ -2,6 +2,7 @@
 /// Sums the pair forces on each particle, adds damping and moves it.
 #pragma once
 
+#include "engine/external_loads.hpp"
 #include "engine/partition.hpp"
 #include "model/state.hpp"
 
@@ -23,12 +24,12 @@ struct PassSums {
 void clear_forces(State& state, const Share& share);
 
 /// After all pairs are: sums those particles of the share that are apart, and adds walls' and applied loads to all.
-void complete_forces(State& state, const Share& share, const Incidence& incidence,
-                     const std::vector<Vec3>& external_force, const std::vector<Vec3>& external_torque);
+void complete_forces(State& state, const Share& share, const Incidence& incidence, const ExternalLoads& loads);
 
 /// Leapfrog: velocities by one step with the resultants in `force` and `torque` and damping, then positions.
 /// Held components keep their velocity; the work that this takes counts as boundary work. Particles whose velocity is
-/// no finite number, and those next to them in memory, are not moved.
+/// no finite number, and those next to them in memory, are not moved. In a space that is strained, what is damped and
+/// what counts as speed is the motion against it.
 PassSums integrate(State& state, const Damping& damping, bool any_applied, int threads);
 
 /// After a step that left a velocity that is no finite number: the positions of before it.

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "engine/cell_motion.hpp"
 #include "engine/law_probe.hpp"
 #include "engine/specimen.hpp"
 #include "engine/walls.hpp"
@@ -26,8 +27,8 @@ Simulation::Simulation(State state, Interactions laws, const EngineSettings& set
   const double mean_radius = std::accumulate(r.begin(), r.end(), 0.0) / double(r.size());
   skin_ = settings_.skin * mean_radius;
   reach_ = std::min(settings_.skin, counted_reach) * mean_radius;
-  external_force_.assign(r.size(), Vec3::Zero());
-  external_torque_.assign(r.size(), Vec3::Zero());
+  pair_length_ = 2 * *std::max_element(r.begin(), r.end()) + skin_;
+  loads_.reset(state_.particles);
 }
 
 BondingResult Simulation::bond(const BondingRule& rule, const std::optional<SpecimenToTell>& told) {
@@ -46,7 +47,7 @@ BondingResult Simulation::bond(const BondingRule& rule, const std::optional<Spec
 }
 
 double Simulation::porosity() const {
-  return 1 - solid_volume(state_.particles.radius, state_.dimension, state_.thickness) / state_.specimen.volume;
+  return 1 - solid_volume(state_.particles.radius, state_) / state_.specimen.volume;
 }
 
 void Simulation::prepare() {
@@ -90,14 +91,14 @@ void Simulation::rebuild() {
   partition_ = make_partition(state_, incidence_, chunks_, settings_.threads);
   chunk_dissipated_.assign(chunks_.size() * laws_.size(), {});
   chunk_broke_.assign(chunks_.size(), 0);
+  if (state_.cell.repeats()) chunk_cell_forces_.resize(chunks_.size());
   if (const auto& guarded = state_.bonds.guarded; !guarded.empty()) {
     guarded_pairs_.assign(state_.pairs.size(), 0);
     for (std::size_t k = 0; k < state_.pairs.size(); ++k)
       if (const Index b = state_.pairs.bond[k]; b != PairsView::no_bond) guarded_pairs_[k] = guarded[b];
   }
   // Rows that no wall touches any more go back to the applied force alone.
-  external_force_ = state_.particles.applied_force;
-  external_torque_.assign(state_.particles.size(), Vec3::Zero());
+  loads_.reset(state_.particles);
   look();
   ++rebuilds_;
 }
@@ -122,7 +123,8 @@ void Simulation::look() {
   check_critical_step();
   state_.time_step = share_of_critical() * critical_;
   state_.positions_at_look = state_.particles.position;
-  state_.moved_since_look = state_.walls_moved_since_look = 0;
+  state_.cell_at_look = state_.cell;
+  state_.moved_since_look = state_.walls_moved_since_look = state_.strained_since_look = 0;
 }
 
 /// Non-viscous damping turns against the velocity of the last half step, which in the fastest mode points away from
@@ -155,14 +157,18 @@ void Simulation::follow_neighbours() {
   }
   // The bound adds up the fastest particle of each step; only when it says "perhaps" are the true displacements looked
   // at.
-  const auto closed = [&](double& moved, double walls, const std::vector<Vec3>& from, double gap) {
-    const double allowed = 0.9 * gap;
+  // The strain of a space that repeats itself brings two surfaces nearer by its share of their centres' distance.
+  const auto closed = [&](double& moved, double walls, double strained, const std::vector<Vec3>& from, const Cell& cell,
+                          double gap) {
+    const double allowed = 0.9 * gap - strained * pair_length_;
     if (2 * moved <= allowed && moved + walls <= allowed) return false;
-    moved = largest_displacement(s, from, settings_.threads);
+    moved = largest_displacement(s, from, cell, settings_.threads);
     return 2 * moved > 0.9 * allowed || moved + walls > 0.9 * allowed;
   };
-  if (closed(s.moved_bound, s.walls_moved, s.positions_at_rebuild, skin_)) rebuild();
-  else if (reach_ < skin_ && closed(s.moved_since_look, s.walls_moved_since_look, s.positions_at_look, reach_)) look();
+  if (closed(s.moved_bound, s.walls_moved, s.strained, s.positions_at_rebuild, s.cell_at_rebuild, skin_)) rebuild();
+  else if (reach_ < skin_ && closed(s.moved_since_look, s.walls_moved_since_look, s.strained_since_look,
+                                    s.positions_at_look, s.cell_at_look, reach_))
+    look();
 }
 
 void Simulation::forces(bool to_be_viewed) {
@@ -181,6 +187,7 @@ void Simulation::forces(bool to_be_viewed) {
   all.apart = partition_.apart.data();
   all.chunk_apart = partition_.chunk_apart.data();
   all.keep_force = pair_forces_known_ = to_be_viewed;
+  if (s.cell.repeats()) all.cell_forces = chunk_cell_forces_.data();
   const std::size_t shares = partition_.shares.size();
 #pragma omp parallel num_threads(settings_.threads)
   {
@@ -195,12 +202,20 @@ void Simulation::forces(bool to_be_viewed) {
       if (mine.begin < mine.end) laws_.evaluate(mine);
     }
 #pragma omp single  // the first to be through; at its end the others are, too
-    wall_forces(s, external_force_, external_torque_);
+    wall_forces(s, loads_);
 #pragma omp for schedule(static, 1)
-    for (std::size_t t = 0; t < shares; ++t)
-      complete_forces(s, partition_.shares[t], incidence_, external_force_, external_torque_);
+    for (std::size_t t = 0; t < shares; ++t) complete_forces(s, partition_.shares[t], incidence_, loads_);
   }
   record_breaks();
+  if (s.cell.repeats()) fold_cell_forces();
+}
+
+void Simulation::fold_cell_forces() {
+  state_.cell_forces = {};
+  for (const CellForces& chunk : chunk_cell_forces_) {
+    state_.cell_forces.across += chunk.across;
+    state_.cell_forces.virial += chunk.virial;
+  }
 }
 
 void Simulation::record_breaks() {
@@ -213,7 +228,7 @@ void Simulation::record_breaks() {
       if (b == PairsView::no_bond || s.bonds.state[b] == s.pairs.state[k]) continue;
       const Index i = s.pairs.i[k];
       const Index j = s.pairs.j[k];
-      const Vec3 branch = s.particles.position[j] - s.particles.position[i];
+      const Vec3 branch = s.branch(s.particles.position[i], s.particles.position[j]);
       const double distance =
           std::sqrt(branch.x() * branch.x() + branch.y() * branch.y() + branch.z() * branch.z());  // as the loop has it
       const double half_gap = 0.5 * (distance - s.particles.radius[i] - s.particles.radius[j]);
@@ -247,10 +262,12 @@ void Simulation::advance() {
   BRECCIA_ASSERT(forces_known_);
   refuse_long_way();
   forces_known_ = false;
+  if (s.cell.repeats()) lead_cell(s);
   const PassSums sums = integrate(s, settings_.damping, any_applied_, settings_.threads);
   s.energy.damping += sums.damping;
   s.energy.boundary_work += sums.boundary_work;
   move_walls(s);
+  move_cell(s);
   s.moved_bound += sums.largest_speed * s.time_step;
   s.moved_since_look += sums.largest_speed * s.time_step;
   if (!std::isfinite(s.moved_bound)) {
@@ -331,8 +348,8 @@ SimulationView Simulation::view() {
   State& s = state_;
   fold_chunk_sums();
   SimulationView v;
-  v.dimension = s.dimension;
-  v.thickness = s.thickness;
+  static_cast<Space&>(v) = s;
+  v.initial_cell = s.reference_cell;
   v.time = s.time;
   v.time_step = s.time_step;
   v.step = s.step;
@@ -359,7 +376,7 @@ SimulationView Simulation::view() {
   v.wall_contacts = wall_contacts_;
   v.specimen = s.specimen;
   v.energy.initial = s.energy.initial;
-  v.energy.boundary_work = s.energy.boundary_work - wall_work_ahead(s) + led_work_behind(s);
+  v.energy.boundary_work = s.energy.boundary_work - wall_work_ahead(s) + led_work_behind(s) + cell_work_behind(s);
   v.energy.elastic = elastic_energy();
   v.energy.kinetic = kinetic_energy(s);
   v.energy.friction = s.energy.friction;

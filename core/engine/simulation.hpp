@@ -69,6 +69,9 @@ class Simulation final : public LoadControl {
   void set_applied_force(Index particle, const Vec3& force, const Mat3& moment) override;
   SpecimenShape set_specimen_axis(const Vec3& axis) override;
   void mark_start_of_loading() override;
+  void set_cell_velocity(const Mat3& velocity) override;
+  Cell cell() const override { return state_.cell; }
+  Mat3 cell_stress() const override;
   void protect_bond(Index bond) override;
   double time() const override { return state_.time; }
   double time_step() const override { return state_.time_step; }
@@ -90,12 +93,14 @@ class Simulation final : public LoadControl {
   void refuse_long_way() const;
   void record_breaks();
   void fold_chunk_sums();
+  void fold_cell_forces();
   double elastic_energy();
 
   State state_;
   Interactions laws_;
   EngineSettings settings_;
   double skin_ = 0, reach_ = 0, critical_ = 0, bound_ = 0;
+  double pair_length_ = 0;  ///< how far apart the centres of two neighbours are at the most [m]
   SpectralStep spectral_;
   AddedMass added_mass_;
   bool mass_pending_ = false, look_at_all_ = false;
@@ -106,8 +111,9 @@ class Simulation final : public LoadControl {
   std::vector<double*> columns_;
   std::vector<Dissipated> chunk_dissipated_;  ///< of each chunk, law by law
   std::vector<std::uint8_t> chunk_broke_;
-  std::vector<std::uint8_t> guarded_pairs_;  ///< of `bonds.guarded`, for the present pair list
-  std::vector<Vec3> external_force_, external_torque_;
+  std::vector<CellForces> chunk_cell_forces_;  ///< of each chunk; none where space does not repeat itself
+  std::vector<std::uint8_t> guarded_pairs_;    ///< of `bonds.guarded`, for the present pair list
+  ExternalLoads loads_;
   bool any_applied_ = false, loading_started_ = false, pair_forces_known_ = true, forces_known_ = false;
   std::uint64_t rebuilds_ = 0;
   std::size_t broken_ = 0;  ///< of the bonds

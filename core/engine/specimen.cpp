@@ -6,7 +6,7 @@
 namespace breccia {
 
 SpecimenShape measure_specimen(std::span<const Vec3> position, std::span<const double> radius,
-                               SpecimenShape::Outline outline, const Vec3& axis, int dimension, double thickness,
+                               SpecimenShape::Outline outline, const Vec3& axis, const Space& space,
                                double container_volume) {
   SpecimenShape s;
   s.outline = outline;
@@ -20,9 +20,19 @@ SpecimenShape measure_specimen(std::span<const Vec3> position, std::span<const d
     bottom = std::min(bottom, along - radius[k]);
     top = std::max(top, along + radius[k]);
   }
-  if (dimension == 2) {
-    low.z() = -0.5 * thickness;
-    high.z() = 0.5 * thickness;
+  const bool flat = space.dimension == 2;
+  if (flat) {
+    low.z() = -0.5 * space.thickness;
+    high.z() = 0.5 * space.thickness;
+  }
+  for (int k = 0; k < 3; ++k) {
+    if (!space.cell.repeats(k)) continue;
+    const double centre = 0.5 * (low[k] + high[k]), half = 0.5 * space.cell.vectors()(k, k);
+    low[k] = centre - half;
+    high[k] = centre + half;
+    if (std::abs(s.axis[k]) < 1) continue;  // else of a box along this direction
+    bottom = s.axis[k] > 0 ? low[k] : -high[k];
+    top = bottom + 2 * half;
   }
   s.extent = high - low;
   s.height = top - bottom;
@@ -41,8 +51,8 @@ SpecimenShape measure_specimen(std::span<const Vec3> position, std::span<const d
   }
   s.volume = s.cross_section_area * s.height;
   if (outline == SpecimenShape::Outline::ellipsoid) {
-    s.cross_section_area *= dimension == 2 ? 1.0 : std::numbers::pi / 4;
-    s.volume *= std::numbers::pi / (dimension == 2 ? 4 : 6);
+    s.cross_section_area *= flat ? 1.0 : std::numbers::pi / 4;
+    s.volume *= std::numbers::pi / (flat ? 4 : 6);
   } else if (outline == SpecimenShape::Outline::irregular && container_volume > 0) {
     s.volume = container_volume;
     s.cross_section_area = s.volume / s.height;
@@ -50,9 +60,9 @@ SpecimenShape measure_specimen(std::span<const Vec3> position, std::span<const d
   return s;
 }
 
-double solid_volume(std::span<const double> radius, int dimension, double thickness) {
+double solid_volume(std::span<const double> radius, const Space& space) {
   double sum = 0;
-  for (const double r : radius) sum += dimension == 2 ? r * r * thickness : 4.0 / 3.0 * r * r * r;
+  for (const double r : radius) sum += space.dimension == 2 ? r * r * space.thickness : 4.0 / 3.0 * r * r * r;
   return std::numbers::pi * sum;
 }
 

@@ -23,7 +23,7 @@ StiffnessOperator::StiffnessOperator(State& s, const Interactions& law, const In
     mine.end = std::min(pairs, mine.begin + PairBatch::chunk);
     law.stiffness(mine, &stiffness[mine.begin]);
     for (std::size_t q = mine.begin; q < mine.end; ++q) {
-      const Vec3 branch = p.position[s.pairs.j[q]] - p.position[s.pairs.i[q]];
+      const Vec3 branch = s.branch(p.position[s.pairs.i[q]], p.position[s.pairs.j[q]]);
       counts[q] = !(branch.norm() <= 0) && within_reach(s, q, p.position, reach);
       if (!counts[q]) continue;
       damped = damped || stiffness[q].damping > 0 || stiffness[q].shear_damping > 0;

@@ -63,7 +63,7 @@ class Restraints {
       const std::size_t q = in_.entry[e] >> 1;
       const bool second = in_.entry[e] & 1;
       const Index i = s_.pairs.i[q], j = s_.pairs.j[q];
-      if ((p.position[j] - p.position[i]).norm() <= 0 || !within_reach(s_, q, p.position, reach_)) continue;
+      if (s_.branch(p.position[i], p.position[j]).norm() <= 0 || !within_reach(s_, q, p.position, reach_)) continue;
       PairBatch one = batch_;
       one.begin = q;
       one.end = q + 1;

@@ -30,13 +30,10 @@ void rebuild_wall_touches(State& s, double reach) {
   }
 }
 
-void wall_forces(State& s, std::vector<Vec3>& force, std::vector<Vec3>& torque) {
+void wall_forces(State& s, ExternalLoads& loads) {
   const Particles& p = s.particles;
   const double dt = s.time_step;
-  for (const WallTouch& t : s.wall_touches) {
-    force[t.particle] = p.applied_force[t.particle];
-    torque[t.particle].setZero();
-  }
+  for (const WallTouch& t : s.wall_touches) loads.restart(t.particle, p);
   for (Wall& w : s.walls) {
     w.force.setZero();
     w.normal_force = 0;
@@ -72,8 +69,7 @@ void wall_forces(State& s, std::vector<Vec3>& force, std::vector<Vec3>& torque) 
     }
     t.force += pressed * f.normal;
     w.normal_force += pressed;
-    force[t.particle] += t.force;
-    torque[t.particle] += arm.cross(t.force);
+    loads.add(t.particle, t.force, arm.cross(t.force));
     w.force -= t.force;
   }
   for (Wall& w : s.walls) {

@@ -3,6 +3,7 @@
 /// has friction.
 #pragma once
 
+#include "engine/external_loads.hpp"
 #include "model/state.hpp"
 
 namespace breccia {
@@ -17,9 +18,9 @@ Facing facing(const Wall& wall, const Vec3& position);
 /// Particles within `reach` [m] of a wall; touches that stay keep their friction spring.
 void rebuild_wall_touches(State& state, double reach);
 
-/// Forces of the walls on particles, added into `force` and `torque` (rows of touched particles start at their applied
-/// force), and the particles' force on each wall. Adds this step's work of the walls and their friction to the ledger.
-void wall_forces(State& state, std::vector<Vec3>& force, std::vector<Vec3>& torque);
+/// Forces of the walls on particles, and the particles' force on each wall. Adds this step's work of the walls and
+/// their friction to the ledger.
+void wall_forces(State& state, ExternalLoads& loads);
 
 /// Work of the walls in the half of the present step that lies ahead of the positions; `wall_forces` has counted it
 /// [J].

@@ -80,18 +80,30 @@ struct EnergySums {
   double initial = 0;  ///< elastic + kinetic at the start of loading [J]
 };
 
+/// Sums over all pairs of a space that repeats itself: f is the force on i, b the branch vector.
+struct CellForces {
+  Mat3 across = Mat3::Zero();  ///< f (x) the cells that b is shorter by than the difference of the positions [N]
+  Mat3 virial = Mat3::Zero();  ///< b (x) f [J]
+};
+
 struct State : Space {
   double time = 0, time_step = 0;  // [s]
   std::uint64_t step = 0;
+  /// How fast the vectors of the cell grow: in the half step behind, and from the next motion on [m/s].
+  Mat3 cell_velocity = Mat3::Zero(), cell_velocity_asked = Mat3::Zero();
+  Cell reference_cell;  ///< at the start of loading
+  CellForces cell_forces;
   Particles particles;
   Pairs pairs;
   Bonds bonds;
   std::vector<Wall> walls;
   std::vector<WallTouch> wall_touches;  ///< sorted by (wall, particle)
   std::vector<Vec3> positions_at_rebuild;
-  double moved_bound = 0, walls_moved = 0;  ///< since the pair list was made [m]
-  std::vector<Vec3> positions_at_look;      ///< when the pairs that set the time step were last looked at
-  double moved_since_look = 0, walls_moved_since_look = 0;  // [m]
+  Cell cell_at_rebuild;
+  double moved_bound = 0, walls_moved = 0, strained = 0;  ///< since the pair list was made [m], [m], [1]
+  std::vector<Vec3> positions_at_look;                    ///< when the pairs that set the time step were last looked at
+  Cell cell_at_look;
+  double moved_since_look = 0, walls_moved_since_look = 0, strained_since_look = 0;  // [m], [m], [1]
   EnergySums energy;
   std::vector<Dissipated> dissipated;  ///< since the start of loading, one per contact law; walls are not in it
   SpecimenShape specimen;

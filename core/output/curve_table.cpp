@@ -10,13 +10,7 @@
 
 namespace breccia {
 
-std::string header_name(const Column& c) {
-  if (c.unit == "1" || c.unit.empty()) return c.name;
-  std::string unit = c.unit;
-  for (char& ch : unit)
-    if (!std::isalnum(static_cast<unsigned char>(ch))) ch = '_';
-  return c.name + "_" + unit;
-}
+std::string header_name(const Column& c) { return ResultName(c.name, c.unit).key(); }
 
 std::filesystem::path curve_units_file(std::filesystem::path curves) { return curves.replace_extension(".json"); }
 

@@ -12,12 +12,35 @@
 
 namespace breccia {
 
-void SummaryTable::set(const std::string& key, Json value, const std::string& owner) {
+void SummaryTable::put(const ResultName& name, Json value) {
+  const std::string key = name.key();
+  if (name.unit != "1") units_[key] = name.unit;
+  json_[key] = std::move(value);
+}
+
+void SummaryTable::set_below(const std::string& owner, const ResultName& name, Json value) {
+  const std::string path = name.key();
+  if (name.unit != "1") units_[owner + "." + path] = name.unit;
+  Json* at = &json_[owner];
+  std::size_t begin = 0;
+  for (std::size_t dot; (dot = path.find('.', begin)) != path.npos; begin = dot + 1)
+    at = &(*at)[path.substr(begin, dot - begin)];
+  (*at)[path.substr(begin)] = std::move(value);
+}
+
+Json SummaryTable::json() const {
+  Json all = json_;
+  if (!units_.empty()) all["units"] = units_;
+  return all;
+}
+
+void SummaryTable::set(const ResultName& name, Json value, const std::string& owner) {
+  const std::string key = name.key();
   const auto [it, is_new] = owner_.emplace(key, owner);
   if (!is_new)
     throw UserError("`" + it->second + "` and `" + owner + "` both report " + key +
                     " in the summary: keep one of them in the workflow");
-  json_[key] = std::move(value);
+  put(name, std::move(value));
 }
 
 void SummaryTable::add(Table table, const std::string& owner) {
@@ -44,7 +67,7 @@ void SummaryTable::write(const std::filesystem::path& folder) const {
     }
     write_file(folder / "tables" / (table.name + ".csv"), text + "\n");
   }
-  write_file(folder / "summary.json", json_text(json_, 2) + "\n");
+  write_file(folder / "summary.json", json_text(json(), 2) + "\n");
 }
 
 }  // namespace breccia

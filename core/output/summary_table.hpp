@@ -17,8 +17,8 @@ class SummaryTable {
   class Section final : public Summary {
    public:
     Section(SummaryTable& table, std::string owner) : table_(table), owner_(std::move(owner)) {}
-    void headline(const std::string& key, Json value) override { table_.set(key, std::move(value), owner_); }
-    void own(const std::string& key, Json value) override { table_.json_[owner_][key] = std::move(value); }
+    void headline(const ResultName& name, Json value) override { table_.set(name, std::move(value), owner_); }
+    void own(const ResultName& name, Json value) override { table_.set_below(owner_, name, std::move(value)); }
     void table(Table table) override { table_.add(std::move(table), owner_); }
 
    private:
@@ -27,16 +27,20 @@ class SummaryTable {
   };
 
   /// UserError when two owners set one key: the workflow then lists two plugins for the same thing.
-  void set(const std::string& key, Json value, const std::string& owner = "breccia");
+  void set(const ResultName& name, Json value, const std::string& owner = "breccia");
   /// One of the core's own numbers that is not yet final: may be set again.
-  void update(const std::string& key, Json value) { json_[key] = std::move(value); }
+  void update(const ResultName& name, Json value) { put(name, std::move(value)); }
   void add(Table table, const std::string& owner);  ///< the same for two tables of one name
-  const Json& json() const { return json_; }
+  /// With `units`: the unit of each key that has one, by its dotted name.
+  Json json() const;
   /// summary.json, and tables/<name>.csv for each table, in this folder.
   void write(const std::filesystem::path& folder) const;
 
  private:
-  Json json_ = Json::object();
+  void put(const ResultName& name, Json value);
+  void set_below(const std::string& owner, const ResultName& name, Json value);
+
+  Json json_ = Json::object(), units_ = Json::object();
   std::map<std::string, std::string> owner_;
   std::vector<Table> tables_;
 };

@@ -66,6 +66,7 @@ void check_unbonded(const SimulationView& v, const ChecksConfig& limits, Host& h
     if (bonded[a]) held.add(v.particles.position[a], v.particles.radius[a]);
   }
   for (int k = 0; k < (v.dimension == 2 ? 2 : 3); ++k) {
+    if (v.cell.repeats(k)) continue;
     const double with = all.high[k] - all.low[k], without = held.high[k] - held.low[k];
     if (with <= (1 + limits.stray_growth) * without) continue;
     std::size_t farthest = 0;

@@ -38,9 +38,9 @@ class Silent final : public Host {
 };
 
 /// A block of spheres, or a sheet of discs, that touch.
-PackedParticles stand_in(int dimension, SpecimenShape::Outline outline) {
+PackedParticles stand_in(const PackingRequest& request, SpecimenShape::Outline outline) {
   constexpr double r = 1e-3;
-  const bool flat = dimension == 2;
+  const bool flat = request.dimension == 2;
   PackedParticles p;
   for (int k = 0; k < (flat ? 1 : 12); ++k)
     for (int j = 0; j < (flat ? 12 : 6); ++j)
@@ -50,6 +50,8 @@ PackedParticles stand_in(int dimension, SpecimenShape::Outline outline) {
       }
   p.outline = outline;
   p.axis = flat ? Vec3::UnitY() : Vec3::UnitZ();
+  const Vec3 size = 2 * r * (flat ? Vec3(6, 12, 0) : Vec3(6, 6, 12));
+  for (int k = 0; k < 3; ++k) p.period[k] = request.periodic[std::size_t(k)] ? size[k] : 0;
   return p;
 }
 
@@ -70,7 +72,7 @@ void check_curves(const Workflow& w, const Registry& registry) {
     Silent host;
     try {
       ContactLaws laws(registry, with_means(w.contact_law));
-      Simulation simulation(assemble(stand_in(int(w.dimension), outline), {2650.0}, int(w.dimension), w.thickness),
+      Simulation simulation(assemble(stand_in(w.packing_request(), outline), {2650.0}, int(w.dimension), w.thickness),
                             laws.interactions(), {});
       SimulationView view;
       laws.within([&] {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "breccia/utf8.hpp"
 #include "run/compare.hpp"
@@ -53,8 +52,13 @@ bool has_references(const ComparedRun& run) {
 class Row {
  public:
   Row(const std::string& key, const std::vector<ComparedRun>& runs) : key_(key) {
-    std::tie(name_, unit_) = split_unit(key);
-    name_ = readable(name_);
+    for (const ComparedRun& run : runs) {
+      const TitleAndUnit said = title_of(key, run.summary);
+      if (name_.empty() || !said.unit.empty()) {
+        name_ = said.title;
+        unit_ = said.unit;
+      }
+    }
     double largest = 0;
     for (const ComparedRun& run : runs)
       for (const Json& v : {value_of(run.summary, key_), reference_of(run, key_)})

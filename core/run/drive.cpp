@@ -257,12 +257,12 @@ class Drive {
     t.set("rows", curves_.rows());
     for (const char* force : {"normal_force", "shear_force"}) {
       const auto [least, most] = extreme(force);
-      t.set(std::string("least_") + force + "_N", *least);
-      t.set(std::string("largest_") + force + "_N", *most);
+      t.set({std::string("least_") + force, "N"}, *least);
+      t.set({std::string("largest_") + force, "N"}, *most);
     }
     for (const char* name :
          {"work", "stored_energy", "friction_work", "contact_work", "fracture_energy", "energy_error"})
-      t.set(std::string(name) + "_J", curves_.column(name).back());
+      t.set({name, "J"}, curves_.column(name).back());
     t.set("bond_state", int(curves_.column("bond_state").back()));
     t.set("pair", Json{{"radius_i_m", s_.radius_i},
                        {"radius_j_m", s_.radius_j},
@@ -273,13 +273,13 @@ class Drive {
                        {"thickness_m", s_.thickness},
                        {"porosity", s_.porosity},
                        {"coordination_number", s_.coordination_number}});
-    Json given = Json::object(), derived = Json::object();
+    Json given = Json::object();
     for (std::size_t l = 0; l < laws_.size(); ++l) {
       given[laws_.name(l)] = s_.law.plugins[l].config;
-      if (const Json own = laws_.law(l).derived(); !own.empty()) derived.update(own);
+      for (auto& [name, value] : laws_.law(l).derived())
+        SummaryTable::Section(t, "derived").own(name, std::move(value));
     }
     t.set("contact_law", given);
-    if (!derived.empty()) t.set("derived", derived);
     t.update("warnings", host_.warnings());
     t.write(folder_);
   }

@@ -47,7 +47,7 @@ class GuardedLaw final : public ContactLaw {
   void scatter(const std::vector<std::string>& parameters) override {
     call("taking what scatters", [&] { law_->scatter(parameters); });
   }
-  Json derived() const override {
+  Results derived() const override {
     return call("deriving its constants", [&] { return law_->derived(); });
   }
   void initialise(const PairChunk& chunk, double* const* history) override {

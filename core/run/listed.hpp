@@ -80,8 +80,10 @@ class NamedSummary final : public Summary {
   template <class P>
   NamedSummary(SummaryTable& table, const Listed<P>& plugin)
       : section_(table, plugin.label()), prefix_(plugin.prefix()) {}
-  void headline(const std::string& key, Json value) override { section_.headline(prefix_ + key, std::move(value)); }
-  void own(const std::string& key, Json value) override { section_.own(key, std::move(value)); }
+  void headline(const ResultName& name, Json value) override {
+    section_.headline({prefix_ + name.name, name.unit}, std::move(value));
+  }
+  void own(const ResultName& name, Json value) override { section_.own(name, std::move(value)); }
   void table(Table table) override {
     table.name = prefix_ + table.name;
     section_.table(std::move(table));

@@ -64,8 +64,9 @@ void LoadingChecks::look_for_overlaps(const State& s) {
   for (std::size_t k = 0; k < s.pairs.size(); ++k) {
     if (s.pairs.state[k] == BondState::intact) continue;
     const Index i = s.pairs.i[k], j = s.pairs.j[k];
-    const double overlap = (s.pairs.rest_length[k] - (s.particles.position[j] - s.particles.position[i]).norm()) /
-                           (s.particles.radius[i] + s.particles.radius[j]);
+    const double overlap =
+        (s.pairs.rest_length[k] - s.branch(s.particles.position[i], s.particles.position[j]).norm()) /
+        (s.particles.radius[i] + s.particles.radius[j]);
     if (overlap <= 0) continue;
     sum += overlap;
     deepest = std::max(deepest, overlap);

@@ -58,8 +58,14 @@ std::vector<Index> voronoi_cells(const PackedParticles& p, const Space& space, d
     low = low.cwiseMin(x);
     high = high.cwiseMax(x);
   }
-  low.array() -= 0.5 * size;  // cells at the surface are as large as those within
-  high.array() += 0.5 * size;
+  for (int c = 0; c < 3; ++c) {
+    if (space.cell.repeats(c)) {  // no surface
+      high[c] = low[c] + space.cell.vectors()(c, c);
+      continue;
+    }
+    low[c] -= 0.5 * size;  // cells at the surface are as large as those within
+    high[c] += 0.5 * size;
+  }
   const bool flat = space.dimension == 2;
   const Vec3 extent = high - low;
   const double cell_volume = flat ? std::numbers::pi / 4 * size * size : std::numbers::pi / 6 * size * size * size;
@@ -84,6 +90,10 @@ std::vector<Index> voronoi_cells(const PackedParticles& p, const Space& space, d
       if (count[c] > 1) at[c] = std::clamp(long((x[c] - low[c]) / extent[c] * double(count[c])), 0L, count[c] - 1);
     return at;
   };
+  // The cells of the grid a ring away: past a face of a space that repeats itself come those at the other.
+  const auto first = [&](int c, long at) { return space.cell.repeats(c) ? at : std::max(0L, at); };
+  const auto last = [&](int c, long at) { return space.cell.repeats(c) ? at : std::min(count[c] - 1, at); };
+  const auto folded = [&](int c, long at) { return (at % count[c] + count[c]) % count[c]; };
   std::vector<std::vector<Index>> in(std::size_t(count[0] * count[1] * count[2]));
   const auto row = [&](long x, long y, long z) { return std::size_t((z * count[1] + y) * count[0] + x); };
   for (Index k = 0; k < points; ++k) {
@@ -100,12 +110,12 @@ std::vector<Index> voronoi_cells(const PackedParticles& p, const Space& space, d
     for (long ring = 0; ring <= widest; ++ring) {
       // What lies beyond this ring is at least so far away.
       if (ring > 0 && std::sqrt(least) <= double(ring - 1) * narrowest) break;
-      for (long z = std::max(0L, at[2] - ring); z <= std::min(count[2] - 1, at[2] + ring); ++z)
-        for (long y = std::max(0L, at[1] - ring); y <= std::min(count[1] - 1, at[1] + ring); ++y)
-          for (long x = std::max(0L, at[0] - ring); x <= std::min(count[0] - 1, at[0] + ring); ++x) {
+      for (long z = first(2, at[2] - ring); z <= last(2, at[2] + ring); ++z)
+        for (long y = first(1, at[1] - ring); y <= last(1, at[1] + ring); ++y)
+          for (long x = first(0, at[0] - ring); x <= last(0, at[0] + ring); ++x) {
             if (std::max({std::abs(x - at[0]), std::abs(y - at[1]), std::abs(z - at[2])}) != ring) continue;
-            for (const Index g : in[row(x, y, z)])
-              if (const double d = (centre[g] - p.position[k]).squaredNorm(); d < least) {
+            for (const Index g : in[row(folded(0, x), folded(1, y), folded(2, z))])
+              if (const double d = space.branch(p.position[k], centre[g]).squaredNorm(); d < least) {
                 least = d;
                 nearest[k] = g;
               }

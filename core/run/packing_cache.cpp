@@ -40,6 +40,7 @@ Json to_json(const PackedParticles& p) {
   j["outline"] = int(p.outline);
   j["axis"] = {p.axis.x(), p.axis.y(), p.axis.z()};
   j["container_volume"] = p.container_volume;
+  j["period"] = {p.period.x(), p.period.y(), p.period.z()};
   for (const auto& [name, values] : p.columns) j["columns"].push_back({{"name", name}, {"values", values}});
   for (const AskedGot& line : p.report)
     j["report"].push_back({{"name", line.name},
@@ -60,6 +61,7 @@ PackedParticles from_json(const Json& j) {
   p.outline = static_cast<SpecimenShape::Outline>(j.at("outline").get<int>());
   for (int k = 0; k < 3; ++k) p.axis[k] = j.at("axis").at(std::size_t(k)).get<double>();
   p.container_volume = j.at("container_volume").get<double>();
+  for (int k = 0; k < 3; ++k) p.period[k] = j.at("period").at(std::size_t(k)).get<double>();
   if (j.contains("columns"))
     for (const Json& c : j.at("columns"))
       p.columns.emplace_back(c.at("name").get<std::string>(), c.at("values").get<std::vector<double>>());
@@ -173,6 +175,8 @@ fs::path default_cache_folder() {
 std::string why_not(const Packing& packing, const std::string& type, const PackingRequest& request) {
   const std::string why =
       calling({Packing::kind, type}, "looking at what is asked for", [&] { return packing.why_not(request); });
+  if (why.empty() && request.repeats() && !packing.can_repeat())
+    return "packing " + type + ": it cannot fill a space that repeats itself (`periodic`)";
   return why.empty() ? why : "packing " + type + ": " + why;
 }
 
@@ -186,6 +190,7 @@ PackingOutcome obtain_packing(const Registry& registry, const PluginChoice& choi
               {"seed", request.seed},
               {"dimension", request.dimension},
               {"thickness", request.thickness}};
+  if (request.repeats()) key["periodic"] = request.periodic;
   const PluginId id{Packing::kind, choice.type};
   for (const fs::path& input : calling(id, "naming its files", [&] { return packing->inputs(); }))
     key["inputs"].push_back(hash_text(read_bytes(input)));
@@ -211,6 +216,9 @@ PackingOutcome obtain_packing(const Registry& registry, const PluginChoice& choi
     if (!file.empty() && !outcome.particles.position.empty())
       write_cached(file, outcome.particles, log.warnings(), host);
   }
+  for (std::size_t k = 0; k < 3; ++k)
+    if (request.periodic[k] != (outcome.particles.period[int(k)] > 0))
+      throw UserError("packing " + choice.type + ": it does not repeat itself along the directions of `periodic`");
   outcome.hash = content_hash(outcome.particles);
   return outcome;
 }

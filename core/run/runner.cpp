@@ -73,8 +73,7 @@ class Run {
 
   void build() {
     const int dimension = int(w_.dimension);
-    packing_ =
-        obtain_packing(registry_, w_.packing, {w_.space(), std::uint64_t(w_.seed)}, options_.packing_cache, monitor_);
+    packing_ = obtain_packing(registry_, w_.packing, w_.packing_request(), options_.packing_cache, monitor_);
     report_packing();
     EngineSettings settings;
     settings.damping = {w_.damping.translational, w_.damping.rotational};
@@ -272,9 +271,9 @@ class Run {
     summary_.set("seed", w_.seed);
     summary_.set("threads", monitor_.threads());
     summary_.set("steps", state.step);
-    summary_.set("time_step_s", state.time_step);
+    summary_.set({"time_step", "s"}, state.time_step);
     summary_.set("time_step_from", w_.engine.time_step == TimeStep::spectral ? "spectral" : "bound");
-    summary_.set("critical_time_step_s", sim.critical_step());
+    summary_.set({"critical_time_step", "s"}, sim.critical_step());
     summary_.set("time_step_over_bound", sim.step_over_bound());
     if (w_.engine.time_step == TimeStep::spectral) summary_.set("time_step_products", sim.mode_products());
     if (w_.engine.added_mass > 0) {
@@ -282,12 +281,13 @@ class Run {
       summary_.set("added_mass_particles", sim.added_mass().particles);
       summary_.set("added_mass_largest_factor", sim.added_mass().largest_factor);
     }
-    summary_.set("simulated_time_s", state.time);
+    summary_.set({"simulated_time", "s"}, state.time);
     summary_.set("particles", n);
     summary_.set("bonds", bonds);
     summary_.set("porosity", packing_porosity());
     summary_.set("coordination_number", bonding_.coordination_number);
-    summary_.set(bonding_.measure == GapMeasure::relative ? "bond_tolerance" : "bond_gap_m", bonding_.limit);
+    summary_.set(bonding_.measure == GapMeasure::relative ? ResultName("bond_tolerance") : ResultName("bond_gap", "m"),
+                 bonding_.limit);
     summary_.set("ns_per_bond_step",
                  state.step && bonds ? Json(1e9 * loop_seconds_ / double(state.step) / double(bonds)) : Json());
     summary_.set("neighbour_list_rebuilds", sim.rebuilds());
@@ -304,13 +304,12 @@ class Run {
   void sum_up_laws() {
     for (std::size_t l = 0; l < laws_->size(); ++l) {
       SummaryTable::Section section(summary_, laws_->name(l));
-      const Json derived = laws_->law(l).derived();
-      for (const auto& [key, value] : derived.items()) section.own(key, value);
+      for (auto& [name, value] : laws_->law(l).derived()) section.own(name, std::move(value));
       if (laws_->size() == 1) continue;  // of one law the ledger says the same
       const Dissipated& lost = simulation_->state().dissipated[l];
-      section.own("friction_J", lost.friction);
-      section.own("contact_J", lost.contact);
-      section.own("fracture_J", lost.fracture);
+      section.own({"friction", "J"}, lost.friction);
+      section.own({"contact", "J"}, lost.contact);
+      section.own({"fracture", "J"}, lost.fracture);
     }
   }
 
@@ -331,7 +330,7 @@ class Run {
 
   /// The summary as it stands; what grows until the end of the run is set anew.
   void write_summary(double wall_seconds) {
-    summary_.update("wall_time_s", wall_seconds);
+    summary_.update({"wall_time", "s"}, wall_seconds);
     summary_.update("warnings", monitor_.warnings());
     summary_.write(options_.folder);
   }
@@ -340,7 +339,7 @@ class Run {
   double packing_porosity() const {
     const double container = packing_.particles.container_volume;
     if (container <= 0) return simulation_->porosity();
-    return 1 - solid_volume(packing_.particles.radius, int(w_.dimension), w_.thickness) / container;
+    return 1 - solid_volume(packing_.particles.radius, w_.space()) / container;
   }
 
   /// Pictures of the results in that folder. Nothing that happens here loses the run.

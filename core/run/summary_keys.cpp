@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "breccia/services.hpp"
+
 namespace breccia {
 
 bool is_bookkeeping(const std::string& key) {
@@ -23,43 +25,17 @@ bool is_bookkeeping(const std::string& key) {
   return std::find(std::begin(all), std::end(all), key) != std::end(all);
 }
 
-std::pair<std::string, std::string> split_unit(const std::string& key) {
-  struct Suffix {
-    const char *written, *unit;
-  };
-  // As header_name writes them. A unit comes before those that it ends in: `_N_m` is no length.
-  static constexpr Suffix all[] = {{"N_m_rad", "N m/rad"},
-                                   {"N_s_m", "N s/m"},
-                                   {"kg_m3", "kg/m3"},
-                                   {"Pa_s", "Pa s"},
-                                   {"Pa_m", "Pa/m"},
-                                   {"N_m", "N m"},
-                                   {"J_m2", "J/m2"},
-                                   {"J_m3", "J/m3"},
-                                   {"rad_s", "rad/s"},
-                                   {"m_s2", "m/s2"},
-                                   {"m_s", "m/s"},
-                                   {"1_s", "1/s"},
-                                   {"1_m", "1/m"},
-                                   {"Pa", "Pa"},
-                                   {"m2", "m2"},
-                                   {"m3", "m3"},
-                                   {"kg", "kg"},
-                                   {"rad", "rad"},
-                                   {"m", "m"},
-                                   {"s", "s"},
-                                   {"N", "N"},
-                                   {"J", "J"},
-                                   {"W", "W"}};
-  for (const Suffix& s : all) {
-    const std::string ending = std::string("_") + s.written;
-    if (!key.ends_with(ending)) continue;
-    const std::string name = key.substr(0, key.size() - ending.size());
-    // A quotient and a product are written alike.
-    const bool is_stiffness = std::string_view(s.written) == "N_m" && name.ends_with("stiffness");
-    return {name, is_stiffness ? "N/m" : s.unit};
-  }
-  return {key, ""};
+TitleAndUnit title_of(const std::string& key, const Json& summary) {
+  TitleAndUnit t{key.substr(key.rfind('.') + 1), ""};
+  const auto units = summary.find("units");
+  if (units != summary.end() && units->is_object())
+    if (const auto unit = units->find(key); unit != units->end() && unit->is_string()) {
+      t.unit = unit->get<std::string>();
+      const std::string written = ResultName("", t.unit).key();  // as the key ends in
+      if (t.title.ends_with(written)) t.title.resize(t.title.size() - written.size());
+    }
+  t.title = readable(t.title);
+  return t;
 }
 
 std::string readable(std::string name) {

@@ -13,8 +13,12 @@ namespace breccia {
 /// Whether a key of the top level tells of the computation (steps, wall time) rather than of the specimen.
 bool is_bookkeeping(const std::string& key);
 
-/// "peak_stress_Pa" as "peak_stress" and "Pa"; the unit is empty for a pure number.
-std::pair<std::string, std::string> split_unit(const std::string& key);
+/// What a summary calls a quantity, and its unit; that is empty for a pure number, and where the summary does not say.
+struct TitleAndUnit {
+  std::string title, unit;
+};
+/// Of a dotted key: the last of its names. `peak_stress_Pa` is a peak stress in Pa if the summary says so.
+TitleAndUnit title_of(const std::string& key, const Json& summary);
 
 /// A name for readers: "peak stress", "Young's modulus".
 std::string readable(std::string name);

@@ -161,15 +161,37 @@ std::vector<std::string> SweepTable::warnings() const {
   return texts;
 }
 
+TitleAndUnit SweepTable::said_of(const std::string& key) const {
+  TitleAndUnit said = title_of(key, Json::object());
+  for (const CaseResult& r : results_)
+    if (TitleAndUnit more = title_of(key, r.summary); !more.unit.empty()) return more;
+  return said;
+}
+
+std::string SweepTable::quotient_unit(std::size_t derived) const {
+  const StudyRatio& ratio = sweep_.study().study.derived[derived];
+  const auto unit_of = [&](const std::string& name) -> std::string {
+    const StudyTerm term = sweep_.study().term(name);
+    std::string unit = term.is == StudyTerm::Is::parameter ? plan_.input_units[term.index] : said_of(term.key).unit;
+    return unit == "1" ? "" : unit;
+  };
+  const std::string over = unit_of(ratio.numerator), under = unit_of(ratio.denominator);
+  if (over == under) return "";
+  if (under.empty()) return over;
+  const bool simple = under.find_first_of(" /") == under.npos;
+  return (over.empty() ? "1" : over) + "/" + (simple ? under : "(" + under + ")");
+}
+
 StudyChart::Axis SweepTable::axis(const StudyTerm& term, const std::optional<std::string>& label,
                                   const std::string& name) const {
   StudyChart::Axis axis;
   if (term.is == StudyTerm::Is::parameter) {
     axis = {readable(split_path(name).back().name), plan_.input_units[term.index]};
   } else {
-    const auto [title, unit] = split_unit(term.is == StudyTerm::Is::derived ? name : split_path(term.key).back().name);
+    const auto [title, unit] =
+        term.is == StudyTerm::Is::derived ? TitleAndUnit{readable(name), quotient_unit(term.index)} : said_of(term.key);
     const std::string& workflow = sweep_.study().workflow_names[term.is == StudyTerm::Is::value ? term.index : 0];
-    axis = {(term.is == StudyTerm::Is::value && !workflow.empty() ? workflow + ": " : "") + readable(title),
+    axis = {(term.is == StudyTerm::Is::value && !workflow.empty() ? workflow + ": " : "") + title,
             unit.empty() ? "1" : unit};
   }
   if (label) axis.title = *label;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "breccia/renderer.hpp"
+#include "run/summary_keys.hpp"
 #include "run/sweep_folder.hpp"
 
 namespace breccia {
@@ -33,6 +34,8 @@ class SweepTable {
   Json number(const StudyTerm& term, std::size_t point) const;
   Json value(std::size_t case_index, const std::string& key) const;
   Json derived(const StudyRatio& ratio, std::size_t point) const;
+  TitleAndUnit said_of(const std::string& key) const;    ///< of a value, by the first case that knows it
+  std::string quotient_unit(std::size_t derived) const;  ///< of a derived column
   StudyChart::Axis axis(const StudyTerm& term, const std::optional<std::string>& label, const std::string& name) const;
   std::vector<std::string> all_keys() const;
   std::size_t index(std::size_t point, std::size_t workflow) const {

@@ -142,7 +142,9 @@ std::vector<Material> Workflow::material_list() const {
 Materials Workflow::materials_of(const PackedParticles& particles) const {
   Materials all;
   all.list = material_list();
-  if (material_of) all.of_particle = assign_materials(*material_of, all.list, particles, space(), std::uint64_t(seed));
+  Space within = space();
+  within.cell = Cell::box(particles.period);
+  if (material_of) all.of_particle = assign_materials(*material_of, all.list, particles, within, std::uint64_t(seed));
   return all;
 }
 
@@ -185,7 +187,26 @@ void check_materials(const Workflow& w, Issues& issues) {
   }
 }
 
+void check_periodic(const Workflow& w, Issues& issues) {
+  const std::vector<std::string> known =
+      w.dimension == 2 ? std::vector<std::string>{"x", "y"} : std::vector<std::string>{"x", "y", "z"};
+  for (std::size_t k = 0; k < w.periodic.size(); ++k) {
+    const std::string where = "periodic[" + std::to_string(k) + "]";
+    const auto at = w.periodic.begin() + std::ptrdiff_t(k);
+    if (std::find(known.begin(), known.end(), *at) == known.end())
+      issues.push_back(
+          {where, "a direction is " + std::string(w.dimension == 2 ? "x or y" : "x, y or z") + ", not `" + *at + "`"});
+    else if (std::find(w.periodic.begin(), at, *at) != at) issues.push_back({where, "`" + *at + "` is given twice"});
+  }
+}
+
 }  // namespace
+
+PackingRequest Workflow::packing_request() const {
+  PackingRequest request{space(), std::uint64_t(seed)};
+  for (const std::string& direction : periodic) request.periodic[std::size_t(direction[0] - 'x')] = true;
+  return request;
+}
 
 void Workflow::describe(Schema<Workflow>& s) {
   const Json none = Json::array(), defaults = Json::object();
@@ -206,6 +227,13 @@ void Workflow::describe(Schema<Workflow>& s) {
       .fallback(3)
       .doc("2: discs that move in the plane z = 0; 3: spheres");
   s.param("thickness", &Workflow::thickness).unit("m").above(0).fallback(1.0).doc("of the discs, out of plane");
+  s.param("periodic", &Workflow::periodic)
+      .items(1, 3)
+      .fallback(none)
+      .example("[x, y, z]")
+      .doc(
+          "directions along which space repeats itself: no surface, no platens there; the packing says after which "
+          "length (as a rule the size of its container). In two dimensions x and y");
   s.param("plugins", &Workflow::plugins)
       .fallback(none)
       .example("[build/breccia_contact_law.mine.so]")
@@ -259,7 +287,10 @@ const Schema<Workflow>& schema_of_workflow() {
   static const Schema<Workflow> schema = [] {
     Schema<Workflow> s;
     Workflow::describe(s);
-    s.check([](const Workflow& w, Issues& issues) { check_materials(w, issues); });
+    s.check([](const Workflow& w, Issues& issues) {
+      check_materials(w, issues);
+      check_periodic(w, issues);
+    });
     return s;
   }();
   return schema;
@@ -280,7 +311,7 @@ void try_plugins(const Workflow& w, const Registry& registry) {
        calling({Packing::kind, w.packing.type}, "naming its files", [&] { return packing->inputs(); }))
     if (!fs::is_regular_file(input))
       throw UserError("packing " + w.packing.type + ": cannot read " + input.string() + ": no such file");
-  if (const std::string why = why_not(*packing, w.packing.type, {w.space(), std::uint64_t(w.seed)}); !why.empty())
+  if (const std::string why = why_not(*packing, w.packing.type, w.packing_request()); !why.empty())
     throw UserError(why);
   ContactLaws(registry, w.contact_law, w.material_list(), std::uint64_t(w.seed));
   registry.create<Protocol>(w.protocol);

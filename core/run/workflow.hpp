@@ -48,6 +48,7 @@ struct Workflow {
   std::string name, description;
   long seed, dimension;
   double thickness;
+  std::vector<std::string> periodic;
   std::vector<PluginPath> plugins;
   PluginChoice packing, protocol;
   PluginStack contact_law;
@@ -65,7 +66,8 @@ struct Workflow {
 
   std::vector<Material> material_list() const;                   ///< of `material` or `materials`
   Materials materials_of(const PackedParticles& packing) const;  ///< and which particle is of which
-  Space space() const { return {int(dimension), thickness}; }
+  Space space() const { return {int(dimension), thickness}; }    ///< how it repeats itself the packing says
+  PackingRequest packing_request() const;
   static void describe(Schema<Workflow>& s);
 };
 

@@ -130,8 +130,7 @@ void write_json(const std::string& file, const std::vector<std::unique_ptr<Case>
 
 void measure(const Workflow& w, const Registry& registry, const std::vector<int>& threads, const std::string& file) {
   Quiet host;
-  const PackingOutcome packing =
-      obtain_packing(registry, w.packing, {w.space(), std::uint64_t(w.seed)}, default_cache_folder(), host);
+  const PackingOutcome packing = obtain_packing(registry, w.packing, w.packing_request(), default_cache_folder(), host);
   std::vector<std::unique_ptr<Case>> cases;
   for (const int t : threads) cases.push_back(std::make_unique<Case>(w, registry, packing.particles, t));
   // In turn, so that other work on the machine is in the way of each alike.

@@ -71,7 +71,7 @@ Json filled(const std::filesystem::path& file, double unit) {
 }
 
 PackedParticles pack(const Json& config, Host& host) {
-  return generate(*test::make<Packing>(plugin, config), {3, 1, 1}, host);
+  return generate(*test::make<Packing>(plugin, config), {{3, 1}, 1}, host);
 }
 
 double solid(const PackedParticles& p) {

@@ -17,7 +17,7 @@ using test::user_error;
 constexpr const char* plugin = BRECCIA_REARRANGEMENT_PLUGIN;
 
 PackedParticles pack(const Json& config, Host& host, std::uint64_t seed = 1, int dimension = 3) {
-  return generate(*test::make<Packing>(plugin, config), {dimension, 0.5, seed}, host);
+  return generate(*test::make<Packing>(plugin, config), {{dimension, 0.5}, seed}, host);
 }
 
 /// Radii of ratio 3, about 350 spheres at 45 % porosity.
@@ -85,6 +85,50 @@ const Case cases[] = {
     {"rectangle", rectangle, 2, 6e-4},
     {"disc", disc, 2, std::numbers::pi / 4 * 6.25e-4},
 };
+
+TEST(CollectiveRearrangement, ACellThatRepeatsItselfHasNoWalls) {
+  const Json config = {{"container", {{"shape", "box"}, {"size", {10e-3, 10e-3, 10e-3}}}},
+                       {"radius", {{"distribution", "uniform"}, {"min", 0.4e-3}, {"max", 0.7e-3}}},
+                       {"porosity", 0.42}};
+  PackingRequest request{{3, 1}, 5};
+  request.periodic = {true, true, true};
+  TestHost host;
+  const PackedParticles p = generate(*test::make<Packing>(plugin, config), request, host);
+  EXPECT_EQ(p.period, Vec3::Constant(10e-3));
+  Space space = request;
+  space.cell = Cell::box(p.period);
+  double solid = 0, deepest = 0;
+  Vec3 low = p.position[0], high = low;
+  for (std::size_t i = 0; i < p.radius.size(); ++i) {
+    solid += space.solid_volume(p.radius[i]);
+    low = low.cwiseMin(p.position[i]);
+    high = high.cwiseMax(p.position[i]);
+    for (std::size_t j = 0; j < i; ++j)
+      deepest = std::max(deepest, 1 - space.branch(p.position[i], p.position[j]).norm() / (p.radius[i] + p.radius[j]));
+  }
+  EXPECT_LT(deepest, 1e-3) << "nor an overlap across a face";
+  EXPECT_NEAR(1 - solid / 1e-6, 0.42, 2e-3);
+  // Centres reach the faces, which a wall would keep them off.
+  EXPECT_LT(low.x(), -4.9e-3);
+  EXPECT_GT(high.y(), 4.9e-3);
+  EXPECT_LT(low.z(), 0.1e-3);
+  EXPECT_GE(low.z(), 0);
+  EXPECT_LT(high.z(), 10e-3);
+}
+
+TEST(CollectiveRearrangement, WhatCannotRepeatItselfSaysSo) {
+  PackingRequest request{{3, 1}, 5};
+  request.periodic = {true, false, false};
+  const Json box = {{"container", {{"shape", "box"}, {"size", {10e-3, 10e-3, 10e-3}}}},
+                    {"radius", {{"distribution", "uniform"}, {"min", 0.4e-3}, {"max", 0.5e-3}}},
+                    {"particles", 10}};
+  Json margin = box, cylinder = box;
+  margin["margin"] = 1e-3;
+  cylinder["container"] = {{"shape", "cylinder"}, {"diameter", 10e-3}, {"height", 20e-3}};
+  EXPECT_EQ(test::make<Packing>(plugin, box)->why_not(request), "");
+  EXPECT_NE(test::make<Packing>(plugin, margin)->why_not(request).find("margin"), std::string::npos);
+  EXPECT_NE(test::make<Packing>(plugin, cylinder)->why_not(request).find("box"), std::string::npos);
+}
 
 TEST(Rearrangement, LoosePackingsTouchNothingAndStayInside) {
   for (const Case& c : cases) {

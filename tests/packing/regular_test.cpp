@@ -15,7 +15,7 @@ constexpr const char* plugin = BRECCIA_REGULAR_PLUGIN;
 
 PackedParticles lattice(const Json& config, int dimension) {
   TestHost host;
-  return generate(*test::make<Packing>(plugin, config), {dimension, 0.5, 1}, host);
+  return generate(*test::make<Packing>(plugin, config), {{dimension, 0.5}, 1}, host);
 }
 
 const double root2 = std::numbers::sqrt2, root3 = std::numbers::sqrt3;
@@ -32,6 +32,36 @@ const Kind kinds[] = {{"sc", 3, 6, 0.476401, {2, 2, 2}},
                       {"hcp", 3, 12, 0.259520, {2, 2 * root3, 2 * std::sqrt(8.0 / 3)}},
                       {"square", 2, 4, 0.214602, {2, 2, 0}},
                       {"hexagonal", 2, 6, 0.093100, {2, 2 * root3, 0}}};
+
+TEST(Regular, RepeatsItselfAfterWholeCells) {
+  TestHost host;
+  for (const Kind& k : kinds) {
+    SCOPED_TRACE(k.name);
+    Json size = {12.3, 9.1};  // in radii; not whole cells
+    if (k.dimension == 3) size.push_back(10.7);
+    PackingRequest request{{k.dimension, 0.5}, 1};
+    for (int c = 0; c < k.dimension; ++c) request.periodic[std::size_t(c)] = true;
+    const PackedParticles p =
+        generate(*test::make<Packing>(
+                     plugin, {{"lattice", k.name}, {"container", {{"shape", "box"}, {"size", size}}}, {"radius", 1.0}}),
+                 request, host);
+    Space space = request;
+    space.cell = Cell::box(p.period);
+    for (int c = 0; c < k.dimension; ++c) {
+      const double cells = p.period[c] / k.edge[c];
+      EXPECT_NEAR(cells, std::round(cells), 1e-9);
+      EXPECT_LT(std::abs(p.period[c] - size[std::size_t(c)].get<double>()), 0.501 * k.edge[c]);
+    }
+    for (std::size_t i = 0; i < p.radius.size(); ++i) {
+      int touching = 0;
+      for (std::size_t j = 0; j < p.radius.size(); ++j)
+        touching += i != j && space.branch(p.position[i], p.position[j]).norm() < 2 * (1 + 1e-9);
+      EXPECT_EQ(touching, k.neighbours) << "particle " << i << " knows no boundary";
+    }
+    const double each = space.solid_volume(1);
+    EXPECT_NEAR(1 - double(p.radius.size()) * each / p.container_volume, k.porosity, 1e-5);
+  }
+}
 
 TEST(Regular, DistancesNeighboursAndPorosity) {
   for (const Kind& k : kinds)

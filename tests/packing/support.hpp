@@ -37,7 +37,7 @@ inline Json small_rectangle() {
 inline PackedParticles pack(const Json& config, Host& host, std::uint64_t seed = 1, int dimension = 3) {
   const FactoryOf<LabraOnate> factory;
   const auto plugin = factory.create(config);
-  return generate(dynamic_cast<Packing&>(*plugin), {dimension, 0.5, seed}, host);
+  return generate(dynamic_cast<Packing&>(*plugin), {{dimension, 0.5}, seed}, host);
 }
 
 }  // namespace breccia::labra_onate

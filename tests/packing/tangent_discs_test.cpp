@@ -19,7 +19,7 @@ constexpr const char* plugin = BRECCIA_TANGENT_DISCS_PLUGIN;
 constexpr double exact = 1e-12;  // over the sum of the radii
 
 PackedParticles pack(const Json& config, Host& host, std::uint64_t seed = 1, int dimension = 2) {
-  return generate(*test::make<Packing>(plugin, config), {dimension, 0.5, seed}, host);
+  return generate(*test::make<Packing>(plugin, config), {{dimension, 0.5}, seed}, host);
 }
 PackedParticles pack(const Json& config, std::uint64_t seed = 1) {
   TestHost host;

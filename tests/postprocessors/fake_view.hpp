@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -149,11 +150,16 @@ class FakeCurves final : public Recorder, public Curves {
 
 class FakeSummary final : public Summary {
  public:
-  void headline(const std::string& key, Json value) override {
-    if (!headlines.emplace(key, std::move(value)).second) throw std::logic_error("headline given twice: " + key);
+  void headline(const ResultName& name, Json value) override {
+    if (!headlines.emplace(name.key(), std::move(value)).second)
+      throw std::logic_error("headline given twice: " + name.key());
   }
-  void own(const std::string& key, Json value) override {
-    if (!owned.emplace(key, std::move(value)).second) throw std::logic_error("key given twice: " + key);
+  void own(const ResultName& name, Json value) override {
+    const std::string key = name.key();
+    if (!given_.insert(key).second) throw std::logic_error("key given twice: " + key);
+    const std::size_t dot = key.find('.');
+    if (dot == key.npos) owned[key] = std::move(value);
+    else owned[key.substr(0, dot)][Json::json_pointer(pointer(key.substr(dot)))] = std::move(value);
   }
   void table(Table table) override {
     const std::string name = table.name;
@@ -161,6 +167,13 @@ class FakeSummary final : public Summary {
   }
   std::map<std::string, Json> headlines, owned;
   std::map<std::string, Table> tables;
+
+ private:
+  static std::string pointer(std::string dotted) {
+    for (char& c : dotted) c = c == '.' ? '/' : c;
+    return dotted;
+  }
+  std::set<std::string> given_;
 };
 
 /// A post-processor from its library, configured as the core would: defaults filled in.

@@ -46,8 +46,8 @@ class Rows final : public Recorder, public Curves {
 
 class Noted final : public Summary {
  public:
-  void headline(const std::string& key, Json value) override { all[key] = std::move(value); }
-  void own(const std::string& key, Json value) override { all[key] = std::move(value); }
+  void headline(const ResultName& name, Json value) override { all[name.key()] = std::move(value); }
+  void own(const ResultName& name, Json value) override { all[name.key()] = std::move(value); }
   void table(Table) override {}
   std::map<std::string, Json> all;
 };

@@ -13,7 +13,7 @@ class FromFile : public ::testing::Test {
   PackedParticles load(const std::filesystem::path& file, Json more = {{"length_unit", "mm"}}, int dimension = 3) {
     more["file"] = file.string();
     if (!more.contains("outline")) more["outline"] = "box";
-    return generate(*make<Packing>(BRECCIA_FROM_FILE_PLUGIN, more), {dimension, 1, 1}, host_);
+    return generate(*make<Packing>(BRECCIA_FROM_FILE_PLUGIN, more), {{dimension, 1}, 1}, host_);
   }
   /// What the user is told about a table.
   std::string refusal(const std::string& content, int dimension = 3) {

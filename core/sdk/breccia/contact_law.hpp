@@ -35,6 +35,7 @@
 #include "breccia/contact.hpp"
 #include "breccia/coulomb.hpp"
 #include "breccia/plugin.hpp"
+#include "breccia/result_name.hpp"
 #include "breccia/views.hpp"
 
 namespace breccia {
@@ -63,7 +64,7 @@ class BRECCIA_API ContactLaw : public Plugin {
   virtual void evaluate(const PairChunk& chunk, double* const* history, PairAnswer& answer, bool adds) = 0;
   virtual void stiffness(const PairChunk& chunk, double* const* history, ContactStiffness* of_pair) = 0;
   virtual void energy(const PairChunk& chunk, double* const* history, double* of_pair) = 0;  ///< stored [J]
-  virtual Json derived() const { return Json::object(); }  ///< constants it derived, for the summary
+  virtual Results derived() const { return {}; }  ///< constants it derived, for the summary
 };
 
 /// Makes a plugin of a law struct.
@@ -144,9 +145,9 @@ class ContactLawOf final : public ContactLaw {
       of_pair[k] = law.energy(c, s);
     });
   }
-  Json derived() const override {
+  Results derived() const override {
     if constexpr (requires(const Law& law) { law.derived(); }) return laws_.front().derived();
-    else return Json::object();
+    else return {};
   }
 
  private:

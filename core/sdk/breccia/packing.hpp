@@ -2,6 +2,8 @@
 /// Plugin kind `packing`: makes spheres (or discs) in a container.
 #pragma once
 
+#include <array>
+
 #include "breccia/plugin.hpp"
 #include "breccia/services.hpp"
 #include "breccia/views.hpp"
@@ -17,6 +19,8 @@ struct AskedGot {
 
 struct PackingRequest : Space {
   std::uint64_t seed = 1;
+  std::array<bool, 3> periodic{};  ///< along x, y, z: the packing says after which length it repeats itself there
+  bool repeats() const { return periodic[0] || periodic[1] || periodic[2]; }
 };
 
 struct PackedParticles {
@@ -25,6 +29,7 @@ struct PackedParticles {
   SpecimenShape::Outline outline = SpecimenShape::Outline::cylinder;
   Vec3 axis = Vec3::UnitZ();    ///< of the cylinder, else the long direction
   double container_volume = 0;  ///< asked for [m3]; 0 when nobody did: then the measured shape counts
+  Vec3 period = Vec3::Zero();   ///< where `periodic` was asked for: after which lengths it repeats itself [m]
   std::vector<AskedGot> report;
   /// What else a packing knows of its particles, by name: a mineral's number, a grain. One value per particle.
   std::vector<std::pair<std::string, std::vector<double>>> columns;
@@ -36,6 +41,8 @@ class BRECCIA_API Packing : public Plugin {
   /// Why it cannot make what is asked for, as `validate` can tell without making it ("needs three dimensions"); else
   /// empty. Asked before `generate`.
   virtual std::string why_not(const PackingRequest&) const { return {}; }
+  /// Whether it can fill a space that repeats itself; without that nobody asks it to.
+  virtual bool can_repeat() const { return false; }
   /// The same request and configuration must give the same bits for any number of threads.
   virtual PackedParticles generate(const PackingRequest& request, Host& host) = 0;
   /// Files the result depends on besides the configuration: they enter the cache key.

@@ -49,6 +49,13 @@ class LoadControl {
   /// From now on the bond (a row of BondsView) is neither damaged nor broken, whatever it carries. Only in `setup`.
   /// UserError if the contact law cannot do this.
   virtual void protect_bond(Index bond) = 0;
+  /// Of a space that repeats itself: how fast the vectors of its cell grow, as columns [m/s]. The specimen is strained
+  /// as a whole: whenever this changes, all particles are given the change of velocity that goes with their place.
+  virtual void set_cell_velocity(const Mat3& velocity) = 0;
+  virtual Cell cell() const = 0;  ///< as the last step left it
+  /// (1/V) sum over pairs of branch vector (x) force, in the last step, V the present volume of the cell; positive in
+  /// tension [Pa]. Only of a space that repeats itself in all its directions.
+  virtual Mat3 cell_stress() const = 0;
   virtual double time() const = 0;
   virtual double time_step() const = 0;
   virtual ParticlesView particles() const = 0;                 ///< as the last step left them

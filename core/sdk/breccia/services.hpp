@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "breccia/result_name.hpp"
 #include "breccia/schema.hpp"
 
 namespace breccia {
@@ -59,11 +60,11 @@ struct Table {
   std::vector<std::vector<double>> values;  ///< one per column, equally long; NaN is written as an empty cell
 };
 
-/// summary.json. Keys carry their SI unit ("peak_stress_Pa").
+/// summary.json.
 class Summary {
  public:
-  virtual void headline(const std::string& key, Json value) = 0;  ///< at the top level; each key once
-  virtual void own(const std::string& key, Json value) = 0;       ///< under the plugin's own name
+  virtual void headline(const ResultName& name, Json value) = 0;  ///< at the top level; each once
+  virtual void own(const ResultName& name, Json value) = 0;       ///< under the plugin's own name
   virtual void table(Table table) = 0;                            ///< a file of its own beside the summary
  protected:
   ~Summary() = default;

@@ -120,6 +120,12 @@ struct SimulationView : Space {
   std::span<const std::string> materials;  ///< their names, one at the least
   SpecimenShape specimen;
   EnergyLedger energy;
+  Cell initial_cell;  ///< at the start of loading
+  /// Branch vector of two particles at the start of loading [m].
+  Vec3 initial_branch(Index i, Index j) const {
+    return Space{dimension, thickness, initial_cell}.branch(particles.initial_position[i],
+                                                            particles.initial_position[j]);
+  }
 };
 
 /// "feldspar-quartz" for each two materials that have bonds: `f(name, bonds)` with the rows of these in `bonds`. Not

@@ -165,11 +165,11 @@ struct ElasticBrittle {
   }
 
   /// Uniform constants in use, for the summary: K_n [N/m], phi_n, phi_s [N].
-  Json derived() const {
-    if (k_uniform == 0) return Json::object();
-    return {{"normal_stiffness_N_m", k_uniform},
-            {"bond_tensile_strength_N", a_uniform * tensile_strength},
-            {"bond_shear_strength_N", a_uniform * shear_strength}};
+  Results derived() const {
+    if (k_uniform == 0) return {};
+    return {{{"normal_stiffness", "N/m"}, k_uniform},
+            {{"bond_tensile_strength", "N"}, a_uniform * tensile_strength},
+            {{"bond_shear_strength", "N"}, a_uniform * shear_strength}};
   }
 
  private:

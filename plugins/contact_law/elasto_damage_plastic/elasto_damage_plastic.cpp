@@ -138,7 +138,7 @@ struct Law {
     return {kn, kn * shear_ratio, 0, 0, dashpot(c, 1 / c.rest_length, kn)};
   }
 
-  Json derived() const { return {{"area_factor", area_factor}}; }
+  Results derived() const { return {{"area_factor", area_factor}}; }
 
  private:
   BRECCIA_KERNEL double contact_area(const Contact& c) const {

@@ -142,15 +142,16 @@ struct Law {
   }
 
   /// Constants that are the same for all bonds, in two dimensions for the thickness of the specimen.
-  Json derived() const {
-    Json j = Json::object();
+  Results derived() const {
+    Results r;
     if (k_constant > 0) {
-      j["normal_stiffness_N"] = k_constant;
-      j["shear_stiffness_N"] = k_constant * shear_ratio;
+      r.push_back({{"normal_stiffness", "N"}, k_constant});
+      r.push_back({{"shear_stiffness", "N"}, k_constant * shear_ratio});
     }
-    if (reference_radius > 0) j["reference_radius_m"] = reference_radius;
-    if (k_constant > 0 || bending_length == 0) j["bending_stiffness_N_m_rad"] = bending_stiffness(k_constant);
-    return j;
+    if (reference_radius > 0) r.push_back({{"reference_radius", "m"}, reference_radius});
+    if (k_constant > 0 || bending_length == 0)
+      r.push_back({{"bending_stiffness", "N m/rad"}, bending_stiffness(k_constant)});
+    return r;
   }
 
  private:

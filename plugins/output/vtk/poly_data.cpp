@@ -170,11 +170,21 @@ vtkSmartPointer<vtkPolyData> bond_data(const SimulationView& view, std::span<con
     return {f.fx, f.fy, f.fz};
   };
   const auto normal = [&](std::size_t k) -> Vec3 {
-    return (view.particles.position[b.j[k]] - view.particles.position[b.i[k]]).normalized();
+    return view.branch(view.particles.position[b.i[k]], view.particles.position[b.j[k]]).normalized();
   };
   auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points_of(view.particles.position));
-  data->SetLines(cells_of(n, 2, [&](std::size_t c, int end) { return end == 0 ? b.i[c] : b.j[c]; }));
+  // After the particles the images that bonds across a face of a space that repeats itself lead to.
+  std::vector<Vec3> points(view.particles.position.begin(), view.particles.position.end());
+  std::vector<Index> far(b.j.begin(), b.j.end());
+  if (view.cell.repeats())
+    for (std::size_t k = 0; k < n; ++k) {
+      const Vec3 &from = points[b.i[k]], to = points[b.j[k]], branch = view.branch(from, to);
+      if (view.cell.cells(to - from).isZero(0)) continue;
+      far[k] = Index(points.size());
+      points.push_back(from + branch);
+    }
+  data->SetPoints(points_of(points));
+  data->SetLines(cells_of(n, 2, [&](std::size_t c, int end) { return end == 0 ? b.i[c] : far[c]; }));
   vtkFieldData* on = data->GetCellData();
   add<vtkTypeUInt8Array>(on, "state", "", n, [&](std::size_t k) { return std::uint8_t(b.state[k]); });
   add_real(on, precision, "force", "N", n, force);

@@ -51,7 +51,9 @@ class CollectiveRearrangement final : public Packing {
             "fix the porosity, so only one of particles and porosity is given. With a margin the packing is made "
             "larger "
             "and the specimen cut out of it, so that no layers form along the walls: spheres belong to it when their "
-            "centres do. In two dimensions the particles are discs.");
+            "centres do. Where space repeats itself (`periodic`) a box has no walls. In two dimensions the particles "
+            "are "
+            "discs.");
     s.param("container", &Config::container).doc("the space to be filled");
     s.param("mesh", &Config::mesh).doc("a closed surface that is filled instead");
     s.param("radius", &Config::radius).doc("of the particles");
@@ -108,13 +110,24 @@ class CollectiveRearrangement final : public Packing {
   }
 
   std::string why_not(const PackingRequest& request) const override {
+    if (request.repeats() && (config_.mesh || config_.margin > 0))
+      return std::string("where space repeats itself (`periodic`) ") +
+             (config_.mesh ? "a mesh cannot be filled: use a box"
+                           : "there is no boundary to keep off: leave `margin` out");
     if (!config_.mesh) return why_not_in(*config_.container, request);
     return request.dimension == 2 ? "a mesh cannot be packed in two dimensions: use a container" : "";
   }
 
+  bool can_repeat() const override { return true; }
+
   PackedParticles generate(const PackingRequest& request, Host& host) override {
     const int dimension = request.dimension;
-    const std::unique_ptr<Region> region = make_region(dimension, std::max(1, host.threads()));
+    const std::unique_ptr<Region> region = make_region(request, std::max(1, host.threads()));
+    Vec3 period = Vec3::Zero();
+    for (int k = 0; k < dimension; ++k)
+      if (request.periodic[std::size_t(k)]) period[k] = config_.container->make(dimension).size()[k];
+    Space within = request;
+    within.cell = Cell::box(period);
     const RadiusLaw law = config_.radius.law();
     const std::size_t wanted = config_.particles ? std::size_t(*config_.particles)
                                                  : number_for(*config_.porosity, law, region->measure(), dimension);
@@ -125,7 +138,7 @@ class CollectiveRearrangement final : public Packing {
     Outcome outcome;
     Cut cut;
     for (int attempt = 1;; ++attempt) {
-      cut.spheres = rearrange(space, quantile_radii(law, packed_number), request, host, outcome);
+      cut.spheres = rearrange(space, within, quantile_radii(law, packed_number), request.seed, host, outcome);
       if (!larger) break;
       cut = cut_out(cut.spheres, *region, config_.margin, ends, dimension, wanted,
                     solid_measure(quantile_radii(law, wanted), dimension), request.seed);
@@ -138,7 +151,7 @@ class CollectiveRearrangement final : public Packing {
     if (cut.spheres.size() == 0)
       throw UserError(
           "no particle has its centre in the specimen cut out: use more or smaller ones, or a smaller margin");
-    const Quality q = measure(cut.spheres, region->measure(), dimension);
+    const Quality q = measure(cut.spheres, region->measure(), within);
     host.info(
         text("packed %zu particles: porosity %.4f, %.2f contacts each, overlaps up to %.3g %% of the sum of the radii",
              cut.spheres.size(), q.porosity, q.contacts, 100 * q.max_overlap));
@@ -151,6 +164,12 @@ class CollectiveRearrangement final : public Packing {
     PackedParticles packed;
     packed.report = report(q, law, wanted, cut.spheres.size(), packed_number, outcome);
     packed.position = std::move(cut.spheres.x);
+    packed.period = period;
+    if (request.repeats()) {  // all into the box
+      const Vec3 low = config_.container->make(dimension).low();
+      for (Vec3& x : packed.position)
+        x -= within.cell.vectors() * Vec3((within.cell.inverse() * (x - low)).array().floor());
+    }
     packed.radius = std::move(cut.spheres.r);
     packed.outline = region->outline();
     packed.axis = region->axis();
@@ -161,18 +180,18 @@ class CollectiveRearrangement final : public Packing {
  private:
   static constexpr int most_attempts = 3;  // to cut out the number asked for
 
-  Spheres rearrange(const Region& space, std::vector<double> radii, const PackingRequest& request, Host& host,
+  Spheres rearrange(const Region& region, const Space& space, std::vector<double> radii, std::uint64_t seed, Host& host,
                     Outcome& outcome) const {
     const std::size_t n = radii.size();
     if (n == 0) throw UserError("not one particle goes into the space to be filled: use smaller ones");
-    if (radii.back() > space.largest_radius())
+    if (radii.back() > region.largest_radius())
       throw UserError(
           text("the largest particle, of radius %.4g m, does not fit into the space to be filled", radii.back()));
-    const double share = solid_measure(radii, request.dimension) / space.measure();
+    const double share = solid_measure(radii, space.dimension) / region.measure();
     if (n > 1 && share > 0.95)
       throw UserError(text(
           "%zu particles of these radii have %.3g of the volume to be filled: use fewer or smaller ones", n, share));
-    Rearrangement rearrangement(space, std::move(radii), request.seed,
+    Rearrangement rearrangement(region, space, std::move(radii), seed,
                                 {int(config_.max_iterations), config_.tolerance, std::max(1, host.threads())}, host);
     outcome = rearrangement.run();
     if (config_.neighbours_per_particle) {
@@ -183,8 +202,11 @@ class CollectiveRearrangement final : public Packing {
     return rearrangement.spheres();
   }
 
-  std::unique_ptr<Region> make_region(int dimension, int threads) const {
-    if (!config_.mesh) return std::make_unique<ContainerRegion>(config_.container->make(dimension));
+  std::unique_ptr<Region> make_region(const PackingRequest& request, int threads) const {
+    if (!config_.mesh) {
+      const Container box = config_.container->make(request.dimension);
+      return std::make_unique<ContainerRegion>(request.repeats() ? box.opened(request.periodic) : box);
+    }
     return read_mesh(*config_.mesh, threads);
   }
 

@@ -7,7 +7,7 @@
 #include <random>
 #include <span>
 
-#include "breccia/cell_grid.hpp"
+#include "breccia/images.hpp"
 #include "breccia/packing_tools/parallel.hpp"
 
 namespace breccia::collective_rearrangement {
@@ -21,6 +21,7 @@ constexpr double no_overlap = 1e-6;   // over s: nothing is left to do
 constexpr int check_every = 50;
 constexpr int closing_rounds = 30, closing_iterations = 100;
 constexpr double closing_reach = 0.5;  // gaps over s that can be drawn together at all
+constexpr double narrowest = 3.2;      // half of a cell that repeats itself, in largest radii: more than any reach
 // FIRE, in units in which the stiffest mode has a frequency of order one.
 constexpr double usual_stiffness = 3;  // times 1/r^2: of twelve neighbours of the same size
 constexpr double first_step = 0.1, longest_step = 1.0, mixing_start = 0.1;
@@ -29,9 +30,9 @@ constexpr double first_step = 0.1, longest_step = 1.0, mixing_start = 0.1;
 double uniform(std::mt19937_64& generator) { return double(generator() >> 11) * 0x1p-53; }
 }  // namespace
 
-Rearrangement::Rearrangement(const Region& region, std::vector<double> radii, std::uint64_t seed,
+Rearrangement::Rearrangement(const Region& region, const Space& space, std::vector<double> radii, std::uint64_t seed,
                              const Settings& settings, Host& host)
-    : region_(region), settings_(settings), host_(host) {
+    : region_(region), space_(space), settings_(settings), host_(host) {
   // The largest first, so that the order of the particles says nothing of where they are.
   s_.r = std::move(radii);
   std::sort(s_.r.begin(), s_.r.end(), std::greater<>());
@@ -41,6 +42,11 @@ Rearrangement::Rearrangement(const Region& region, std::vector<double> radii, st
     s_.x.push_back(region_.place(r, a, b, c));
   }
   const std::size_t n = s_.size();
+  for (int k = 0; k < 3; ++k)
+    if (space_.cell.repeats(k) && space_.cell.width(k) < 2 * narrowest * s_.r.front())
+      throw UserError(
+          "the space to be filled repeats itself too soon: it must be at least 6.4 times as long as the "
+          "largest radius along the directions of `periodic`");
   velocity_.assign(n, Vec3::Zero());
   force_.assign(n, Vec3::Zero());
   energy_of_.assign(n, 0.0);
@@ -165,13 +171,16 @@ void Rearrangement::find_neighbours() {
   for (std::size_t first = 0; first < n;) {
     std::size_t end = first;
     while (end < n && 2 * s_.r[end] > s_.r[first]) ++end;
-    const CellGrid grid(std::span<const Vec3>(listed_at_).subspan(first, end - first), 2 * s_.r[first] + skin_);
+    const double reach = 2 * s_.r[first] + skin_;
+    const Images images(space_, std::span<const Vec3>(listed_at_).subspan(first, end - first), reach);
+    const CellGrid grid(images.position, reach);
     for_all(n - first, settings_.threads, [&](std::size_t k) {
       const std::size_t i = first + k;
-      grid.for_each_near(s_.x[i], [&](Index m) {
-        const std::size_t j = first + m;
+      const Vec3 at = images.folded(s_.x[i]);
+      grid.for_each_near(at, [&](Index m) {
+        const std::size_t j = first + images.of[m];
         const double limit = s_.r[i] + s_.r[j] + skin_;
-        if (j < i && (s_.x[i] - s_.x[j]).squaredNorm() < limit * limit) near_[i].push_back(Index(j));
+        if (j < i && (at - images.position[m]).squaredNorm() < limit * limit) near_[i].push_back(Index(j));
       });
     });
     first = end;
@@ -198,12 +207,18 @@ void Rearrangement::find_mobilities() {
 /// the same gap are to be touched.
 void Rearrangement::find_nearest(std::size_t pairs) {
   const std::size_t n = s_.size();
-  const CellGrid grid(s_.x, (1 + closing_reach) * 2 * s_.r.front());
-  const auto gap = [&](std::size_t i, std::size_t j) { return (s_.x[i] - s_.x[j]).norm() / (s_.r[i] + s_.r[j]) - 1; };
+  const double reach = (1 + closing_reach) * 2 * s_.r.front();
+  const Images images(space_, s_.x, reach);
+  const CellGrid grid(images.position, reach);
+  const auto gap = [&](std::size_t i, std::size_t j) {
+    return space_.branch(s_.x[j], s_.x[i]).norm() / (s_.r[i] + s_.r[j]) - 1;
+  };
   for_all(n, settings_.threads, [&](std::size_t i) {
     near_[i].clear();
-    grid.for_each_near(s_.x[i], [&](Index j) {
-      if (j != i && gap(i, j) < closing_reach) near_[i].push_back(j);
+    grid.for_each_near(images.position[i], [&](Index m) {
+      const Index j = images.of[m];
+      if (j != i && (images.position[i] - images.position[m]).norm() / (s_.r[i] + s_.r[j]) - 1 < closing_reach)
+        near_[i].push_back(j);
     });
     std::sort(near_[i].begin(), near_[i].end());
   });
@@ -232,7 +247,7 @@ void Rearrangement::forces(double scale) {
     double energy = 0;
     for (const Index j : near_[i]) {
       const double s = scale * (s_.r[i] + s_.r[j]);
-      const Vec3 d = s_.x[i] - s_.x[j];
+      const Vec3 d = space_.branch(s_.x[j], s_.x[i]);
       const double square = d.squaredNorm();
       if ((square >= s * s && !closing_) || square == 0) continue;
       const double distance = std::sqrt(square), overlap = 1 - distance / s;

@@ -38,8 +38,9 @@ struct Outcome {
 
 class Rearrangement {
  public:
-  Rearrangement(const Region& region, std::vector<double> radii, std::uint64_t seed, const Settings& settings,
-                Host& host);
+  /// `space` knows after which lengths it repeats itself.
+  Rearrangement(const Region& region, const Space& space, std::vector<double> radii, std::uint64_t seed,
+                const Settings& settings, Host& host);
   Outcome run();
   /// Draws this many pairs toward touching each other.
   Outcome close(std::size_t pairs);
@@ -55,6 +56,7 @@ class Rearrangement {
   void confine(std::size_t i, const Vec3& wanted);
 
   const Region& region_;
+  const Space& space_;
   Settings settings_;
   Host& host_;
   Spheres s_;

@@ -3,20 +3,20 @@
 
 #include <algorithm>
 
-#include "breccia/cell_grid.hpp"
+#include "breccia/images.hpp"
 
 namespace breccia::collective_rearrangement {
 
-Quality measure(const Spheres& s, double region_measure, int dimension) {
+Quality measure(const Spheres& s, double region_measure, const Space& space) {
   Quality q;
-  q.porosity = 1 - solid_measure(s.r, dimension) / region_measure;
+  q.porosity = 1 - solid_measure(s.r, space.dimension) / region_measure;
   q.radius_mean = detail::mean_of(s.r);
   q.radius_deviation = detail::deviation_of(s.r);
   q.radius_min = *std::min_element(s.r.begin(), s.r.end());
   q.radius_max = *std::max_element(s.r.begin(), s.r.end());
   std::size_t pairs = 0;
-  CellGrid(s.x, 2 * q.radius_max).for_each_pair([&](Index i, Index j) {
-    const Vec3 d = s.x[j] - s.x[i];
+  for_each_pair_within(space, s.x, 2 * q.radius_max, [&](Index i, Index j) {
+    const Vec3 d = space.branch(s.x[i], s.x[j]);
     const double overlap = 1 - d.norm() / (s.r[i] + s.r[j]);
     if (!(overlap > 0)) return;
     ++pairs;

@@ -15,6 +15,6 @@ struct Quality {
   Vec3 fabric = Vec3::Zero();                ///< diagonal of <n (x) n> over the overlapping pairs
 };
 
-Quality measure(const Spheres& s, double region_measure, int dimension);
+Quality measure(const Spheres& s, double region_measure, const Space& space);
 
 }  // namespace breccia::collective_rearrangement

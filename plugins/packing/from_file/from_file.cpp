@@ -22,6 +22,7 @@ class FromFile final : public Packing {
     std::optional<LengthUnit> length_unit;
     std::optional<Filled> outline;
     std::optional<AxisName> axis;
+    std::optional<std::vector<double>> period;
   };
 
   static void describe(Schema<Config>& s) {
@@ -57,6 +58,12 @@ class FromFile final : public Packing {
         .choice("z", AxisName::z, "along z")
         .doc("of the cylinder, or the long direction of the box; z unless given, y in two dimensions")
         .example("z");
+    s.param("period", &Config::period)
+        .unit("m")
+        .items(2, 3)
+        .at_least(0)
+        .example("[50 mm, 50 mm, 100 mm]")
+        .doc("with `periodic`: after which length the particles repeat themselves along x, y, z; 0 where they do not");
     s.check([](const Config& c, Issues& issues) {
       const bool csv = has_ending(c.file, ".csv"), vtp = has_ending(c.file, ".vtp");
       if (!csv && !vtp) issues.push_back({"file", c.file.string() + " is neither a .csv nor a .vtp file"});
@@ -89,8 +96,16 @@ class FromFile final : public Packing {
       return "a disc has two dimensions: write `outline: cylinder` or `outline: sphere`, or add `dimension: 2` to the "
              "workflow";
     if (flat && config_.axis == AxisName::z) return "in two dimensions the axis must be x or y";
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool given = config_.period && k < config_.period->size() && (*config_.period)[k] > 0;
+      if (request.periodic[k] == given) continue;
+      return std::string("along ") + "xyz"[k] + " space " + (given ? "does not repeat" : "repeats") +
+             " itself (`periodic`): " + (given ? "write 0 there in `period`" : "`period` must say after which length");
+    }
     return {};
   }
+
+  bool can_repeat() const override { return true; }
 
   PackedParticles generate(const PackingRequest& request, Host& host) override {
     const bool flat = request.dimension == 2;
@@ -105,6 +120,8 @@ class FromFile final : public Packing {
     PackedParticles packed;
     packed.outline = outline(spheres, flat, host);
     packed.axis = Vec3::Unit(int(axis));
+    if (config_.period)
+      for (std::size_t k = 0; k < config_.period->size(); ++k) packed.period[int(k)] = (*config_.period)[k];
     const auto& r = spheres.radius;
     packed.report = {{"particles", "1", {}, double(r.size())},
                      {"radius_min", "m", {}, *std::min_element(r.begin(), r.end())},

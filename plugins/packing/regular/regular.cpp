@@ -13,12 +13,12 @@ namespace {
 enum class Lattice { simple_cubic, body_centred_cubic, face_centred_cubic, hexagonal_close_packed, square, hexagonal };
 
 /// An orthogonal cell, its sites in shares of the cell; lengths in distances of nearest neighbours.
-struct Cell {
+struct UnitCell {
   Vec3 size;
   std::vector<Vec3> sites;
 };
 
-Cell cell_of(Lattice lattice) {
+UnitCell cell_of(Lattice lattice) {
   const double root2 = std::numbers::sqrt2, root3 = std::numbers::sqrt3;
   switch (lattice) {
     case Lattice::simple_cubic:
@@ -58,7 +58,10 @@ class Regular final : public Packing {
             "Lattice sites are kept where a whole sphere is inside the container. In a box the lattice begins at the "
             "lower corner with spheres that touch the walls; in a cylinder a site of the lowest layer is on the axis; "
             "in "
-            "a sphere or disc one is at the centre. Cell edges are along x, y, z; the c axis of the hexagonal close "
+            "a sphere or disc one is at the centre. Where space repeats itself (`periodic`) there are no walls, and "
+            "the "
+            "box is made as long as the nearest whole number of lattice cells. Cell edges are along x, y, z; the c "
+            "axis of the hexagonal close "
             "packing is z.");
     s.param("lattice", &Config::lattice)
         .choice("sc", Lattice::simple_cubic, "simple cubic, 6 neighbours")
@@ -91,9 +94,12 @@ class Regular final : public Packing {
                                   : "in three dimensions the lattice is sc, bcc, fcc or hcp";
   }
 
+  bool can_repeat() const override { return true; }
+
   PackedParticles generate(const PackingRequest& request, Host&) override {
-    const Container container = config_.container.make(request.dimension);
-    const Cell cell = cell_of(config_.lattice);
+    const Container asked = config_.container.make(request.dimension),
+                    container = request.repeats() ? asked.opened(request.periodic) : asked;
+    const UnitCell cell = cell_of(config_.lattice);
     const double spacing = 2 * config_.radius * (1 + config_.gap), r = config_.radius;
     const Vec3 first = origin(container, r), edge = spacing * cell.size;
     const double sites =
@@ -105,6 +111,10 @@ class Regular final : public Packing {
     for (int k = 0; k < request.dimension; ++k) {
       high[k] = long(container.size()[k] / edge[k]) + 1;
       low[k] = -high[k];
+      if (!request.periodic[std::size_t(k)]) continue;
+      low[k] = 0;
+      high[k] = std::max(1L, std::lround(container.size()[k] / edge[k])) - 1;
+      packed.period[k] = double(high[k] + 1) * edge[k];
     }
     for (long c = low[2]; c <= high[2]; ++c)
       for (long b = low[1]; b <= high[1]; ++b)
@@ -116,10 +126,16 @@ class Regular final : public Packing {
     packed.radius.assign(packed.position.size(), r);
     packed.outline = container.outline();
     packed.axis = container.axis();
-    packed.container_volume = container.measure() * (request.dimension == 2 ? request.thickness : 1.0);
+    double measure = container.measure();
+    for (int k = 0; k < request.dimension; ++k)
+      if (packed.period[k] > 0) measure *= packed.period[k] / container.size()[k];
+    packed.container_volume = measure * (request.dimension == 2 ? request.thickness : 1.0);
     const double each = Space{request.dimension}.solid_volume(r);
     packed.report = {{"particles", "1", std::nullopt, double(packed.radius.size())},
-                     {"porosity", "1", std::nullopt, 1 - each * double(packed.radius.size()) / container.measure()}};
+                     {"porosity", "1", std::nullopt, 1 - each * double(packed.radius.size()) / measure}};
+    for (int k = 0; k < request.dimension; ++k)
+      if (packed.period[k] > 0)
+        packed.report.push_back({std::string("period_") + "xyz"[k], "m", container.size()[k], packed.period[k]});
     return packed;
   }
 

@@ -58,6 +58,11 @@ class BagiStrain final : public Postprocessor {
   explicit BagiStrain(const Config& config) : config_(config) {}
 
   void begin(const SimulationView& view, Recorder& recorder, Host& host) override {
+    if (view.cell.repeats())
+      throw UserError(
+          "bagi_strain: where space repeats itself (`periodic`) a specimen has no outline to measure strain within: "
+          "use the "
+          "strain of the cell, which the protocol periodic_cell writes");
     const std::array<const char*, 6> names{"xx", "yy", "zz", "xy", "yz", "zx"};
     for (std::size_t k = 0; k < 6; ++k)
       tensor_[k] = recorder.add({std::string("strain_") + names[k], "1", "mean strain, positive in extension"});
@@ -107,7 +112,7 @@ class BagiStrain final : public Postprocessor {
     summary.own("hidden_particles", r.hidden);
     summary.own("loose_particles_left_out", shown_as_.size() - kept_.size());
     summary.own("boundary_particles", r.boundary);
-    summary.own("triangulated_volume_m3", volume);
+    summary.own({"triangulated_volume", "m3"}, volume);
     const double specimen = view.specimen.volume;
     summary.own("triangulated_share_of_specimen", specimen > 0 ? Json(volume / specimen) : Json());
   }

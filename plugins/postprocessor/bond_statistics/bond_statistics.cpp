@@ -15,7 +15,7 @@ namespace {
 /// Tension positive [N].
 double normal_force(const SimulationView& view, std::size_t pair) {
   const auto& x = view.particles.position;
-  const Vec3 n = (x[view.pairs.j[pair]] - x[view.pairs.i[pair]]).normalized();
+  const Vec3 n = view.branch(x[view.pairs.i[pair]], x[view.pairs.j[pair]]).normalized();
   const PairForce& f = view.pairs.force[pair];
   return Vec3(f.fx, f.fy, f.fz).dot(n);  // on i, toward j
 }
@@ -58,12 +58,12 @@ struct Quantity {
 };
 
 constexpr Quantity quantities[] = {
-    {"bond_force_mean", "N", "mean_normal_force_N", "mean size of the normal force of intact bonds",
+    {"bond_force_mean", "N", "mean_normal_force", "mean size of the normal force of intact bonds",
      [](const Statistics& s) { return s.mean; }},
-    {"bond_force_std", "N", "std_normal_force_N", "its standard deviation",
+    {"bond_force_std", "N", "std_normal_force", "its standard deviation",
      [](const Statistics& s) { return s.standard_deviation; }},
-    {"bond_force_min", "N", "min_normal_force_N", "its least value", [](const Statistics& s) { return s.least; }},
-    {"bond_force_max", "N", "max_normal_force_N", "its largest value", [](const Statistics& s) { return s.most; }},
+    {"bond_force_min", "N", "min_normal_force", "its least value", [](const Statistics& s) { return s.least; }},
+    {"bond_force_max", "N", "max_normal_force", "its largest value", [](const Statistics& s) { return s.most; }},
     {"strong_network_share", "1", "strong_network_share", "share of intact bonds that carry more than the mean",
      [](const Statistics& s) { return s.strong_share; }},
     {"bonds_in_tension", "1", "bonds_in_tension", "number of intact bonds in tension",
@@ -133,7 +133,7 @@ class BondStatistics final : public Postprocessor {
     Field length{Field::On::bonds, "length_change", "m", 1, {}};
     for (std::size_t b = 0; b < bonds.size(); ++b) {
       const auto& x = view.particles.position;
-      length.values.push_back((x[bonds.j[b]] - x[bonds.i[b]]).norm() - bonds.initial_distance[b]);
+      length.values.push_back(view.branch(x[bonds.i[b]], x[bonds.j[b]]).norm() - bonds.initial_distance[b]);
     }
     fields.push_back(std::move(length));
   }
@@ -142,11 +142,8 @@ class BondStatistics final : public Postprocessor {
     summary.own("bonds_made", view.bonds.size());
     summary.own("initial_gap_ratio", initial_gaps(view));
     const Statistics last(view);
-    Json at_last = Json::object();
-    for (const Quantity& q : quantities) at_last[q.key] = q.value(last);
-    summary.own("at_last", std::move(at_last));
+    for (const Quantity& q : quantities) summary.own({std::string("at_last.") + q.key, q.unit}, q.value(last));
 
-    Json by_materials = Json::object();
     for_each_pair_of_materials(view, [&](const std::string& name, const std::vector<std::size_t>& rows) {
       std::size_t intact = 0;
       double sum = 0;
@@ -156,19 +153,19 @@ class BondStatistics final : public Postprocessor {
         sum += std::sqrt(f.fx * f.fx + f.fy * f.fy + f.fz * f.fz);
         ++intact;
       }
-      by_materials[name] = {{"bonds_made", rows.size()},
-                            {"intact", intact},
-                            {"mean_force_N", intact ? Json(sum / double(intact)) : Json()}};
+      const std::string section = "by_materials." + name + ".";
+      summary.own(section + "bonds_made", rows.size());
+      summary.own(section + "intact", intact);
+      summary.own({section + "mean_force", "N"}, intact ? Json(sum / double(intact)) : Json());
     });
-    if (!by_materials.empty()) summary.own("by_materials", std::move(by_materials));
 
     const std::string peak_of = config_.peak_of.value_or("axial_stress");
     if (curves.rows() == 0 || (!config_.peak_of && !has_column(curves, peak_of))) return;
     const auto stress = curves.column(peak_of);
     const auto row = std::size_t(std::max_element(stress.begin(), stress.end()) - stress.begin());
-    Json at_peak = {{"peak_of", peak_of}};
-    for (const Quantity& q : quantities) at_peak[q.key] = curves.column(q.name)[row];
-    summary.own("at_peak", std::move(at_peak));
+    summary.own("at_peak.peak_of", peak_of);
+    for (const Quantity& q : quantities)
+      summary.own({std::string("at_peak.") + q.key, q.unit}, curves.column(q.name)[row]);
   }
 
  private:

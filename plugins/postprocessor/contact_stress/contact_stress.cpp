@@ -96,33 +96,32 @@ class ContactStress final : public Postprocessor {
 
   void finish(const SimulationView&, const Curves&, Summary& summary) override {
     const Snapshot* peak = loading_.peak();
-    summary.own("highest_axial_stress_Pa", peak ? Json(peak->axial_stress) : Json());
+    summary.own({"highest_axial_stress", "Pa"}, peak ? Json(peak->axial_stress) : Json());
     if (!peak) return;
     for (const double share : c_.at) {
       const Snapshot& s = *loading_.at(share);
       const std::string when = "at_" + percent(share) + "_percent";
       summary.table(table(s, "contact_stress_" + when));
-      summary.own(when, whole(s));
+      report(s, when + ".", summary);
     }
   }
 
  private:
-  Json whole(const Snapshot& s) const {
+  /// Of all contacts together.
+  void report(const Snapshot& s, const std::string& section, Summary& summary) const {
     DirectionBin sum;
     for (const DirectionBin& b : s.bins) sum += b;
     const Means m(sum);
-    Json j = {{"axial_stress_Pa", s.axial_stress},
-              {"time_s", s.time},
-              {"contacts", sum.contacts},
-              {"compressed", sum.compressed},
-              {"ratio_all", number(m.all / s.axial_stress)},
-              {"ratio_compressed", number(m.compressed / s.axial_stress)},
-              {"ratio_tensile", number(m.tensile / s.axial_stress)}};
-    if (c_.limit) {
-      j["yielded"] = sum.yielded;
-      j["ratio_yielded"] = number(m.yielded / s.axial_stress);
-    }
-    return j;
+    summary.own({section + "axial_stress", "Pa"}, s.axial_stress);
+    summary.own({section + "time", "s"}, s.time);
+    summary.own(section + "contacts", sum.contacts);
+    summary.own(section + "compressed", sum.compressed);
+    summary.own(section + "ratio_all", number(m.all / s.axial_stress));
+    summary.own(section + "ratio_compressed", number(m.compressed / s.axial_stress));
+    summary.own(section + "ratio_tensile", number(m.tensile / s.axial_stress));
+    if (!c_.limit) return;
+    summary.own(section + "yielded", sum.yielded);
+    summary.own(section + "ratio_yielded", number(m.yielded / s.axial_stress));
   }
 
   Table table(const Snapshot& s, std::string name) const {

@@ -25,7 +25,7 @@ double axial_stress(const SimulationView& view) {
   double sum = 0;
   for (std::size_t k = 0; k < view.pairs.size(); ++k) {
     const PairForce& f = view.pairs.force[k];
-    sum += part(p.position[view.pairs.j[k]] - p.position[view.pairs.i[k]], Vec3(f.fx, f.fy, f.fz));
+    sum += part(view.branch(p.position[view.pairs.i[k]], p.position[view.pairs.j[k]]), Vec3(f.fx, f.fy, f.fz));
   }
   for (const WallContact& c : view.wall_contacts) sum += part(c.point - p.position[c.particle], c.force);
   for (const Mat3& moment : p.boundary_moment) sum += axis.dot(moment * axis);
@@ -40,7 +40,7 @@ std::vector<DirectionBin> by_direction(const SimulationView& view, std::size_t b
     const PairForce& f = view.pairs.force[k];
     if (view.pairs.state[k] != BondState::intact && f.fx == 0 && f.fy == 0 && f.fz == 0) continue;
     const Index i = view.pairs.i[k], j = view.pairs.j[k];
-    const Vec3 n = (p.position[j] - p.position[i]).normalized();
+    const Vec3 n = view.branch(p.position[i], p.position[j]).normalized();
     const double r = std::min(p.radius[i], p.radius[j]);
     const double area = area_factor * (view.dimension == 2 ? 2 * r * view.thickness : std::numbers::pi * r * r);
     const double pressure = -(f.fx * n.x() + f.fy * n.y() + f.fz * n.z()) / area;  // the force on i points away from j

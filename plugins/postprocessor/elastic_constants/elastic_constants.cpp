@@ -88,8 +88,9 @@ class ElasticConstants final : public Postprocessor {
                               machine(curves)};
     const Peak peak = c.stress.empty() ? Peak{} : find_peak(c);
     if (!(peak.stress > 0)) {
-      for (const char* key : {"youngs_modulus_Pa", "poisson_ratio", "peak_stress_Pa", "peak_strain"})
-        summary.headline(key, nullptr);
+      for (const ResultName& name : {ResultName("youngs_modulus", "Pa"), ResultName("poisson_ratio"),
+                                     ResultName("peak_stress", "Pa"), ResultName("peak_strain")})
+        summary.headline(name, nullptr);
       summary.headline("peak_reached", false);
       summary.own("note", "the stress never rose above zero in " + name_of_sense());
       return;
@@ -109,28 +110,28 @@ class ElasticConstants final : public Postprocessor {
     const bool average = config_.modulus == Modulus::average;
     const auto confined = slope ? confinement(curves, c, range, view.dimension) : std::nullopt;
     if (confined) {
-      summary.headline("youngs_modulus_Pa", confined->youngs_modulus);
+      summary.headline({"youngs_modulus", "Pa"}, confined->youngs_modulus);
       summary.headline("poisson_ratio", confined->poisson_ratio);
-      summary.own("confinement", Json{{"lateral_over_axial_stress", confined->stress_ratio},
-                                      {"axial_stress_over_strain_Pa", confined->constrained_modulus}});
+      summary.own("confinement.lateral_over_axial_stress", confined->stress_ratio);
+      summary.own({"confinement.axial_stress_over_strain", "Pa"}, confined->constrained_modulus);
     } else {
-      summary.headline("youngs_modulus_Pa", or_null(average ? slope_modulus : secant_modulus));
+      summary.headline({"youngs_modulus", "Pa"}, or_null(average ? slope_modulus : secant_modulus));
       summary.headline("poisson_ratio", or_null(average ? slope_poisson : secant_poisson));
     }
-    summary.headline("peak_stress_Pa", peak.stress);
+    summary.headline({"peak_stress", "Pa"}, peak.stress);
     summary.headline("peak_strain", peak.strain);
     summary.headline("peak_reached", peak.passed);
 
     summary.own("sense", name_of_sense());
     summary.own("modulus", confined ? "average, of a confined specimen" : average ? "average" : "secant");
-    summary.own("average", Json{{"youngs_modulus_Pa", or_null(slope_modulus)},
-                                {"poisson_ratio", or_null(slope_poisson)},
-                                {"range", fit_report(c, range, slope, lateral)}});
-    summary.own("secant", Json{{"youngs_modulus_Pa", or_null(secant_modulus)},
-                               {"poisson_ratio", or_null(secant_poisson)},
-                               {"share_of_peak", config_.secant_at},
-                               {"origin_stress_Pa", origin.stress},
-                               {"origin_strain", origin.strain}});
+    summary.own({"average.youngs_modulus", "Pa"}, or_null(slope_modulus));
+    summary.own("average.poisson_ratio", or_null(slope_poisson));
+    report_fit(c, range, slope, lateral, summary);
+    summary.own({"secant.youngs_modulus", "Pa"}, or_null(secant_modulus));
+    summary.own("secant.poisson_ratio", or_null(secant_poisson));
+    summary.own("secant.share_of_peak", config_.secant_at);
+    summary.own({"secant.origin_stress", "Pa"}, origin.stress);
+    summary.own("secant.origin_strain", origin.strain);
     const auto half = first_fall_to(c, 0.5 * peak.stress, peak.row);
     summary.own("after_peak", Json{{"last_stress_over_peak", c.stress.back() / peak.stress},
                                    {"strain_to_half_of_peak", half ? Json(half->strain - peak.strain) : Json()}});
@@ -176,16 +177,15 @@ class ElasticConstants final : public Postprocessor {
 
   std::string name_of_sense() const { return config_.sense == Sense::compression ? "compression" : "tension"; }
 
-  static Json fit_report(const StressStrainCurve& c, const FitRange& range, const std::optional<Line>& slope,
-                         const std::optional<Line>& lateral) {
-    Json report{{"samples", range.size()}};
+  static void report_fit(const StressStrainCurve& c, const FitRange& range, const std::optional<Line>& slope,
+                         const std::optional<Line>& lateral, Summary& summary) {
+    summary.own("average.range.samples", range.size());
     if (range.size() > 0) {
-      report["stress_Pa"] = {c.stress[range.begin], c.stress[range.end - 1]};
-      report["strain"] = {c.strain[range.begin], c.strain[range.end - 1]};
+      summary.own({"average.range.stress", "Pa"}, {c.stress[range.begin], c.stress[range.end - 1]});
+      summary.own("average.range.strain", {c.strain[range.begin], c.strain[range.end - 1]});
     }
-    if (slope) report["r2_stress"] = slope->r2;
-    if (lateral) report["r2_lateral"] = lateral->r2;
-    return report;
+    if (slope) summary.own("average.range.r2_stress", slope->r2);
+    if (lateral) summary.own("average.range.r2_lateral", lateral->r2);
   }
 
   Config config_;

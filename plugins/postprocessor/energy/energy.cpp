@@ -71,9 +71,9 @@ class Energy final : public Postprocessor {
     const double worst = std::max(largest_size(loading("energy_error")), std::abs(view.energy.error()));
     const auto relative = [&](double error) { return work > 0 ? Json(std::abs(error) / work) : Json(); };
     summary.headline("energy_error", relative(view.energy.error()));
-    for (const Account& a : accounts) summary.own(std::string(a.name).substr(7) + "_J", a.value(view.energy));
-    summary.own("initial_J", view.energy.initial);
-    summary.own("largest_boundary_work_J", work);
+    for (const Account& a : accounts) summary.own({std::string(a.name).substr(7), "J"}, a.value(view.energy));
+    summary.own({"initial", "J"}, view.energy.initial);
+    summary.own({"largest_boundary_work", "J"}, work);
     summary.own("largest_relative_error", relative(worst));
   }
 

@@ -132,8 +132,7 @@ class FabricTensor final : public Postprocessor {
  private:
   static Fabric initial(const SimulationView& view) {
     Fabric f;
-    const auto& x = view.particles.initial_position;
-    for (std::size_t b = 0; b < view.bonds.size(); ++b) f.add(x[view.bonds.j[b]] - x[view.bonds.i[b]]);
+    for (std::size_t b = 0; b < view.bonds.size(); ++b) f.add(view.initial_branch(view.bonds.i[b], view.bonds.j[b]));
     return f.average();
   }
   Fabric present(const SimulationView& view) const {
@@ -142,7 +141,7 @@ class FabricTensor final : public Postprocessor {
     const PairsView& pairs = view.pairs;
     for (std::size_t k = 0; k < pairs.size(); ++k)
       if (config_.of == Of::bonds ? pairs.state[k] == BondState::intact : touches(pairs.force[k]))
-        f.add(x[pairs.j[k]] - x[pairs.i[k]]);
+        f.add(view.branch(x[pairs.i[k]], x[pairs.j[k]]));
     return f.average();
   }
 

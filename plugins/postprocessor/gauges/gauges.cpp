@@ -37,6 +37,10 @@ class Gauges final : public Postprocessor {
   explicit Gauges(const Config& config) : c_(config) {}
 
   void begin(const SimulationView& view, Recorder& recorder, Host&) override {
+    if (view.cell.repeats())
+      throw UserError(
+          "gauges: where space repeats itself (`periodic`) a specimen has no outline to measure strain within: use the "
+          "strain of the cell, which the protocol periodic_cell writes");
     lateral_ = recorder.add(
         {"gauge_lateral_strain", "1", "between particles nearest the sides' mid-points, positive in extension"});
     axial_ = recorder.add({"gauge_axial_strain", "1", "between two sections along the axis, positive in compression"});
@@ -54,8 +58,8 @@ class Gauges final : public Postprocessor {
   void finish(const SimulationView&, const Curves&, Summary& summary) override {
     Json lateral = Json::array();
     for (const Gauge& g : across_) lateral.push_back(g.length);
-    summary.own("lateral_gauge_lengths_m", lateral);
-    summary.own("axial_gauge_length_m", along_.length);
+    summary.own({"lateral_gauge_lengths", "m"}, lateral);
+    summary.own({"axial_gauge_length", "m"}, along_.length);
     summary.own("axial_gauge_particles", Json{{"lower", along_.low.size()}, {"upper", along_.high.size()}});
   }
 

@@ -45,16 +45,16 @@ struct Plane {
 };
 constexpr Plane planes[] = {{"xy", 0, 1, 2}, {"yz", 1, 2, 0}, {"zx", 2, 0, 1}};
 
-Json json(const Moments& m, const std::string& unit) {
+void report(const Moments& m, const std::string& section, const std::string& unit, Summary& summary) {
   const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(); };
-  return {{"count", m.count},
-          {"mean_" + unit, m.mean},
-          {"median_" + unit, m.median},
-          {"std_" + unit, number(m.standard_deviation)},
-          {"skewness", number(m.skewness)},
-          {"kurtosis", number(m.kurtosis)},
-          {"min_" + unit, m.min},
-          {"max_" + unit, m.max}};
+  summary.own(section + "count", m.count);
+  summary.own({section + "mean", unit}, m.mean);
+  summary.own({section + "median", unit}, m.median);
+  summary.own({section + "std", unit}, number(m.standard_deviation));
+  summary.own(section + "skewness", number(m.skewness));
+  summary.own(section + "kurtosis", number(m.kurtosis));
+  summary.own({section + "min", unit}, m.min);
+  summary.own({section + "max", unit}, m.max);
 }
 
 /// Counts between edges, and their shares of all that was counted.
@@ -156,28 +156,27 @@ class Statistics final : public Postprocessor {
       s.radius += p.radius[k];
       all += view.solid_volume(p.radius[k]);
     }
-    Json out = Json::object();
-    for (std::size_t m = 0; m < of.size(); ++m)
-      out[view.materials[m]] = {{"particles", of[m].count},
-                                {"volume_share", of[m].volume / all},
-                                {"mass_kg", of[m].mass},
-                                {"mean_radius_m", of[m].count ? Json(of[m].radius / double(of[m].count)) : Json()}};
-    summary.own("materials", std::move(out));
+    for (std::size_t m = 0; m < of.size(); ++m) {
+      const std::string section = "materials." + view.materials[m] + ".";
+      summary.own(section + "particles", of[m].count);
+      summary.own(section + "volume_share", of[m].volume / all);
+      summary.own({section + "mass", "kg"}, of[m].mass);
+      summary.own({section + "mean_radius", "m"}, of[m].count ? Json(of[m].radius / double(of[m].count)) : Json());
+    }
   }
 
   void report(const Quantity& q, std::vector<double> values, Summary& summary) const {
     if (values.empty()) return summary.own(q.name, Json());
     std::sort(values.begin(), values.end());
-    summary.own(q.name, json(moments(values), q.unit));
+    breccia::report(moments(values), std::string(q.name) + ".", q.unit, summary);
     const Histogram h = histogram(values, std::size_t(config_.bins));
     summary.table(table(std::string("histogram_") + q.name, q.doc, q.unit, h.edges, h.counts));
   }
 
   void report(const Plane& plane, const SimulationView& view, Summary& summary) const {
     Rose rose(std::size_t(config_.sectors), config_.largest_tilt.value_or(M_PI / 2));
-    const auto& x = view.particles.initial_position;
     for (std::size_t b = 0; b < view.bonds.size(); ++b) {
-      const Vec3 branch = x[view.bonds.j[b]] - x[view.bonds.i[b]];
+      const Vec3 branch = view.initial_branch(view.bonds.i[b], view.bonds.j[b]);
       rose.add(branch[plane.u], branch[plane.v], branch[plane.normal]);
     }
     const std::string name = std::string("rose_") + plane.name;

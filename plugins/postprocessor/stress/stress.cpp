@@ -22,10 +22,6 @@ double equivalent(const Mat3& stress, int dimension) {
 
 Mat3 symmetric(const Mat3& m) { return 0.5 * (m + m.transpose()); }
 
-double volume_of(double radius, const SimulationView& view) {
-  return view.dimension == 2 ? M_PI * radius * radius * view.thickness : 4.0 / 3.0 * M_PI * radius * radius * radius;
-}
-
 }  // namespace
 
 class Stress final : public Postprocessor {
@@ -94,10 +90,10 @@ class Stress final : public Postprocessor {
       for (const double v : curves.column(name)) value = std::max(value, std::abs(v));
       return value;
     };
-    summary.own("volume_m3", view.specimen.volume);
-    summary.own("largest_deviatoric_stress_Pa", largest("deviatoric_stress"));
-    summary.own("largest_mean_stress_Pa", largest("mean_stress"));
-    summary.own("largest_skew_part_Pa", largest("stress_skew_part"));
+    summary.own({"volume", "m3"}, view.specimen.volume);
+    summary.own({"largest_deviatoric_stress", "Pa"}, largest("deviatoric_stress"));
+    summary.own({"largest_mean_stress", "Pa"}, largest("mean_stress"));
+    summary.own({"largest_skew_part", "Pa"}, largest("stress_skew_part"));
   }
 
  private:
@@ -108,7 +104,7 @@ class Stress final : public Postprocessor {
     Mat3 sum = Mat3::Zero();
     for (std::size_t k = 0; k < view.pairs.size(); ++k) {
       const PairForce& f = view.pairs.force[k];
-      sum += (x[view.pairs.j[k]] - x[view.pairs.i[k]]) * Vec3(f.fx, f.fy, f.fz).transpose();
+      sum += view.branch(x[view.pairs.i[k]], x[view.pairs.j[k]]) * Vec3(f.fx, f.fy, f.fz).transpose();
     }
     for (const WallContact& c : view.wall_contacts) sum += (c.point - x[c.particle]) * c.force.transpose();
     for (const Mat3& moment : view.particles.boundary_moment) sum += moment;
@@ -124,14 +120,14 @@ class Stress final : public Postprocessor {
       const PairForce& f = view.pairs.force[k];
       const Vec3 force(f.fx, f.fy, f.fz);
       if (force.isZero(0)) continue;
-      const Mat3 unit = (p.position[j] - p.position[i]).normalized() * force.transpose();
+      const Mat3 unit = view.branch(p.position[i], p.position[j]).normalized() * force.transpose();
       stress[i] += (p.radius[i] + f.half_gap) * unit;  // j feels the opposite force on its opposite side
       stress[j] += (p.radius[j] + f.half_gap) * unit;
     }
     for (const WallContact& c : view.wall_contacts)
       stress[c.particle] += (c.point - p.position[c.particle]) * c.force.transpose();
     for (std::size_t k = 0; k < p.boundary_moment.size(); ++k) stress[k] += p.boundary_moment[k];
-    for (std::size_t k = 0; k < stress.size(); ++k) stress[k] = symmetric(stress[k] / volume_of(p.radius[k], view));
+    for (std::size_t k = 0; k < stress.size(); ++k) stress[k] = symmetric(stress[k] / view.solid_volume(p.radius[k]));
     return stress;
   }
 

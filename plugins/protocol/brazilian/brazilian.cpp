@@ -151,12 +151,13 @@ class Brazilian final : public Protocol {
     return text;
   }
   void finish(const SimulationView&, const Curves&, Summary& summary) override {
-    summary.headline("brazilian_tensile_strength_Pa", s_.split || s_.stress < 0.95 * s_.peak ? Json(s_.peak) : Json());
-    summary.own("peak_tensile_stress_Pa", s_.peak);
-    summary.own("displacement_at_peak_m", s_.displacement_at_peak);
-    summary.own("diameter_m", diameter_);
-    summary.own("thickness_m", thickness_);
-    summary.own("platen_stiffness_N_m", platens_.stiffness());
+    summary.headline({"brazilian_tensile_strength", "Pa"},
+                     s_.split || s_.stress < 0.95 * s_.peak ? Json(s_.peak) : Json());
+    summary.own({"peak_tensile_stress", "Pa"}, s_.peak);
+    summary.own({"displacement_at_peak", "m"}, s_.displacement_at_peak);
+    summary.own({"diameter", "m"}, diameter_);
+    summary.own({"thickness", "m"}, thickness_);
+    summary.own({"platen_stiffness", "N/m"}, platens_.stiffness());
     summary.own("stopped_by", s_.split                                             ? "load drop"
                               : s_.displacement >= c_.max_displacement * diameter_ ? "max_displacement"
                                                                                    : "request");

@@ -171,15 +171,15 @@ class DirectTension final : public Protocol {
 
   void finish(const SimulationView& view, const Curves& curves, Summary& summary) override {
     summary.own("held_particles", Json{{"lower", lower_.size()}, {"upper", upper_.size()}});
-    summary.own("grip_m", grip_);
-    summary.own("free_length_m", free_length_);
+    summary.own({"grip", "m"}, grip_);
+    summary.own({"free_length", "m"}, free_length_);
     summary.own("protected_bonds", protected_);
-    summary.own("cross_section_area_m2", shape_.cross_section_area);
-    summary.own("peak_tension_Pa", s_.peak);
+    summary.own({"cross_section_area", "m2"}, shape_.cross_section_area);
+    summary.own({"peak_tension", "Pa"}, s_.peak);
     summary.own("strain_at_peak", s_.strain_at_peak);
     summary.own("broken_bonds_at_peak", s_.broken_at_peak);
     summary.own("broken_bonds_at_end", broken(view));
-    summary.own("time_after_peak_s", view.time - s_.time_of_peak);
+    summary.own({"time_after_peak", "s"}, view.time - s_.time_of_peak);
     summary.own("stopped_by", s_.failed ? "stress drop" : s_.strain >= c_.max_strain ? "max_strain" : "request");
     // Evidence of a quasi-static run: how far the two ends were apart between half the peak and the peak.
     const auto stress = curves.column("platen_stress"), imbalance = curves.column("platen_imbalance");

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <vector>
 
+#include "breccia/packing.hpp"
 #include "breccia/schema.hpp"
 #include "breccia/views.hpp"
 
@@ -37,9 +39,18 @@ class Container {
   static Container rectangle(double x, double y) { return {Shape::box, 2, Vec3(x, y, 0)}; }
   static Container disc(double diameter) { return {Shape::sphere, 2, Vec3(diameter, diameter, 0)}; }
 
+  /// The same box without its faces across these directions: space repeats itself there.
+  Container opened(const std::array<bool, 3>& directions) const {
+    BRECCIA_ASSERT(shape_ == Shape::box);
+    Container c = *this;
+    c.open_ = directions;
+    return c;
+  }
+
   Shape shape() const { return shape_; }
   int dimension() const { return dimension_; }
-  const Vec3& size() const { return size_; }  ///< of the bounding box [m]
+  const Vec3& size() const { return size_; }                   ///< of the bounding box [m]
+  Vec3 low() const { return {-0.5 * size_.x(), low_y(), 0}; }  ///< its lower corner [m]
 
   /// Volume [m3], or area [m2] in two dimensions.
   double measure() const {
@@ -56,7 +67,10 @@ class Container {
 
   /// Of a sphere that fits [m].
   double largest_radius() const {
-    return dimension_ == 2 ? 0.5 * std::min(size_.x(), size_.y()) : 0.5 * size_.minCoeff();
+    Vec3 room = 0.5 * size_;
+    for (int k = 0; k < dimension_; ++k)
+      if (open_[std::size_t(k)]) room[k] *= 0.5;  // a sphere must not meet its own image
+    return dimension_ == 2 ? std::min(room.x(), room.y()) : room.minCoeff();
   }
 
   SpecimenShape::Outline outline() const {
@@ -81,7 +95,7 @@ class Container {
 
   /// A place for the centre of a sphere of radius r, from three numbers in [0, 1); uniform when they are.
   Vec3 place(double r, double a, double b, double c) const {
-    const Vec3 room = (size_ - Vec3::Constant(2 * r)).cwiseMax(0.0);
+    const Vec3 wall(open_[0] ? 0 : r, open_[1] ? 0 : r, open_[2] ? 0 : r), room = (size_ - 2 * wall).cwiseMax(0.0);
     const double angle = 2 * std::numbers::pi * b;
     if (shape_ == Shape::sphere) {
       const double rho = 0.5 * room.x() * (dimension_ == 2 ? std::sqrt(a) : std::cbrt(a));
@@ -89,8 +103,8 @@ class Container {
       const double z = 2 * c - 1, across = std::sqrt(1 - z * z);
       return round_centre() + rho * Vec3(across * std::cos(angle), across * std::sin(angle), z);
     }
-    if (dimension_ == 2) return {(a - 0.5) * room.x(), r + b * room.y(), 0};
-    if (shape_ == Shape::box) return {(a - 0.5) * room.x(), (b - 0.5) * room.y(), r + c * room.z()};
+    if (dimension_ == 2) return {(a - 0.5) * room.x(), wall.y() + b * room.y(), 0};
+    if (shape_ == Shape::box) return {(a - 0.5) * room.x(), (b - 0.5) * room.y(), wall.z() + c * room.z()};
     const double rho = 0.5 * room.x() * std::sqrt(a);
     return {rho * std::cos(angle), rho * std::sin(angle), r + c * room.z()};
   }
@@ -98,7 +112,8 @@ class Container {
   static constexpr std::size_t max_walls = 6;
   using Walls = std::array<WallDistance, max_walls>;
 
-  /// All walls as seen from x, in a fixed order; returns how many. A curved wall has no normal on the axis: x's.
+  /// All walls as seen from x, in a fixed order; returns how many. A curved wall has no normal on the axis: x's. A face
+  /// that is open is endlessly far away.
   std::size_t walls(const Vec3& x, Walls& out) const {
     std::size_t n = 0;
     if (shape_ == Shape::box) {
@@ -116,6 +131,9 @@ class Container {
       out[n++] = {x.z(), Vec3::UnitZ()};
       out[n++] = {size_.z() - x.z(), -Vec3::UnitZ()};
     }
+    if (shape_ == Shape::box)
+      for (std::size_t w = 0; w < n; ++w)
+        if (open_[w / 2]) out[w].distance = std::numeric_limits<double>::infinity();
     return n;
   }
 
@@ -132,8 +150,8 @@ class Container {
     unsigned ends = tangent >> 1;
     if (shape_ == Shape::box) {
       const double low = low_y();
-      p.x() = along_side(x.x(), -0.5 * size_.x(), 0.5 * size_.x(), r, tangent & 3u);
-      p.y() = along_side(x.y(), low, low + size_.y(), r, (tangent >> 2) & 3u);
+      if (!open_[0]) p.x() = along_side(x.x(), -0.5 * size_.x(), 0.5 * size_.x(), r, tangent & 3u);
+      if (!open_[1]) p.y() = along_side(x.y(), low, low + size_.y(), r, (tangent >> 2) & 3u);
       ends = tangent >> 4;
     } else {
       const double reach = 0.5 * size_.x() - r;
@@ -141,7 +159,8 @@ class Container {
       const double rho = arm.norm();
       if (rho > reach || (tangent & 1u)) p += rho > 0 ? Vec3(arm * (reach / rho - 1)) : Vec3(reach, 0, 0);
     }
-    p.z() = has_flat_ends() ? along_side(p.z(), 0, size_.z(), r, ends & 3u) : dimension_ == 2 ? 0.0 : p.z();
+    if (has_flat_ends() && !open_[2]) p.z() = along_side(p.z(), 0, size_.z(), r, ends & 3u);
+    else if (dimension_ == 2) p.z() = 0.0;
     return p;
   }
 
@@ -166,6 +185,7 @@ class Container {
   Shape shape_;
   int dimension_;
   Vec3 size_;
+  std::array<bool, 3> open_{};
 };
 
 /// What a workflow says of a container.
@@ -220,9 +240,10 @@ struct ContainerConfig {
 };
 
 /// `Packing::why_not` of one that fills a container.
-inline std::string why_not_in(const ContainerConfig& container, const Space& space) {
+inline std::string why_not_in(const ContainerConfig& container, const PackingRequest& request) {
   try {
-    (void)container.make(space.dimension);
+    if (container.make(request.dimension).shape() != Container::Shape::box && request.repeats())
+      return "a space that repeats itself (`periodic`) is filled by a box: use `shape: box`";
     return {};
   } catch (const UserError& e) { return e.what(); }
 }

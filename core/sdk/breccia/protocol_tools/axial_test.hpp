@@ -121,12 +121,12 @@ class AxialTest : public Protocol {
 
   void finish(const SimulationView& view, const Curves& curves, Summary& summary) override {
     summary.own("seated", s_.seated);
-    summary.own("seating_approach_m", s_.seating_approach);
-    summary.own("height_at_seating_m", s_.height);
-    summary.own("cross_section_area_m2", shape_.cross_section_area);
-    summary.own("platen_stiffness_N_m", platens_.stiffness());
-    summary.own("peak_platen_stress_Pa", s_.stress_at_peak);
-    summary.own("peak_deviatoric_platen_stress_Pa", s_.peak);
+    summary.own({"seating_approach", "m"}, s_.seating_approach);
+    summary.own({"height_at_seating", "m"}, s_.height);
+    summary.own({"cross_section_area", "m2"}, shape_.cross_section_area);
+    summary.own({"platen_stiffness", "N/m"}, platens_.stiffness());
+    summary.own({"peak_platen_stress", "Pa"}, s_.stress_at_peak);
+    summary.own({"peak_deviatoric_platen_stress", "Pa"}, s_.peak);
     summary.own("final_platen_strain", s_.strain);
     summary.own("stopped_by", s_.failed                   ? "stress drop"
                               : s_.out_of_reach           ? "a stage that was not reached"

@@ -25,12 +25,21 @@ class Confinement {
   virtual void finish(const SimulationView&, Summary&) {}
 };
 
+/// UserError where the specimen has no surface to be confined at.
+inline void refuse_no_sides(const SimulationView& view) {
+  if (view.cell.repeats())
+    throw UserError(
+        "protocol: where space repeats itself (`periodic`) a specimen has no sides to be confined at: use the protocol "
+        "periodic_cell, which leads the stress of the whole");
+}
+
 /// A fluid's pressure, led to its value by confining stages; or, as a jacket, to a given value when loading begins.
 class PressureConfinement final : public Confinement {
  public:
   explicit PressureConfinement(PressureArea rule, double jacket_pressure = 0) : rule_(rule), jacket_(jacket_pressure) {}
   bool any() const override { return true; }
   void setup(const SpecimenShape& shape, const SimulationView& view, LoadControl&, double) override {
+    refuse_no_sides(view);
     if (shape.outline != SpecimenShape::Outline::cylinder && shape.outline != SpecimenShape::Outline::box)
       throw UserError(
           "protocol: lateral pressure needs a cylinder, a box or a rectangle: choose such a container (with the "
@@ -52,10 +61,10 @@ class PressureConfinement final : public Confinement {
   double achieved(const LoadControl&) const override { return surface_->achieved(); }
   void finish(const SimulationView&, Summary& summary) override {
     summary.own("confined_particles", surface_->particles());
-    summary.own("lateral_surface_area_m2", surface_->surface_area());
+    summary.own({"lateral_surface_area", "m2"}, surface_->surface_area());
     summary.own("disc_area_over_lateral_surface", surface_->disc_area_ratio());
-    summary.own("confining_pressure_asked_Pa", ramp_.target());
-    summary.own("confining_pressure_applied_Pa", surface_->achieved());
+    summary.own({"confining_pressure_asked", "Pa"}, ramp_.target());
+    summary.own({"confining_pressure_applied", "Pa"}, surface_->achieved());
   }
 
  private:
@@ -72,6 +81,7 @@ class RigidConfinement final : public Confinement {
   bool any() const override { return true; }
   void setup(const SpecimenShape& shape, const SimulationView& view, LoadControl& control,
              double platen_stiffness) override {
+    refuse_no_sides(view);
     const double k = used_ = stiffness_.value_or(platen_stiffness);
     height_ = shape.height;
     if (shape.outline == SpecimenShape::Outline::cylinder) {
@@ -109,9 +119,9 @@ class RigidConfinement final : public Confinement {
       force += view.walls[w].normal_force;
       contacts += view.walls[w].contacts;
     }
-    summary.own("cell_pressure_at_end_Pa", force / (width_ * height_));
+    summary.own({"cell_pressure_at_end", "Pa"}, force / (width_ * height_));
     summary.own("cell_contacts", contacts);
-    if (contacts > 0) summary.own("mean_overlap_with_cell_m", force / double(contacts) / used_);
+    if (contacts > 0) summary.own({"mean_overlap_with_cell", "m"}, force / double(contacts) / used_);
   }
 
  private:

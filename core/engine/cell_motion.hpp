@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// A space that repeats itself and is strained: how its cell moves, what that does to the particles and to the ledger.
+///
+/// Particles have the velocities that one sees from outside, and are never moved from one face of the cell to the
+/// other: an image of theirs moves as they do plus what the cell's vectors grow. While these grow steadily nothing else
+/// is needed: an even lattice stays even. When their growth changes all particles are pushed by the change that goes
+/// with their place, as if the whole space had been taken along.
+#pragma once
+
+#include "model/state.hpp"
+
+namespace breccia {
+
+/// The part of the particles' velocities that is the cell's: zero in the centre of mass, so that momentum is kept.
+struct CellField {
+  Mat3 gradient = Mat3::Zero();  // [1/s]
+  Vec3 centre = Vec3::Zero();    // [m]
+  bool any() const { return !gradient.isZero(0); }
+  Vec3 at(const Vec3& x) const { return gradient * (x - centre); }
+};
+
+/// Of the present growth.
+CellField cell_field(const State& state);
+
+/// From the growth of the half step behind to that which was asked for: pushes the particles and books the work of both
+/// halves.
+void lead_cell(State& state);
+
+/// By one step, as the particles.
+void move_cell(State& state);
+
+/// Work of the cell's growth in the half step behind the positions [J].
+double cell_work_behind(const State& state);
+
+/// UserError if a particle could meet two images of another within `length` [m].
+void refuse_narrow_cell(const Space& space, double length);
+
+}  // namespace breccia

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A space that repeats itself, as a user writes it.
+#include "program.hpp"
+
+namespace breccia::testing {
+namespace {
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+class PeriodicInWorkflows : public Program {
+ protected:
+  /// A cubic lattice with these bonds has Young's modulus E_c and no Poisson effect.
+  static constexpr const char* lattice = R"(periodic: [x, y, z]
+packing: {type: regular, lattice: sc, container: {shape: box, size: [10.3 mm, 10 mm, 12 mm]}, radius: 1 mm}
+material: {density: 2650 kg/m3}
+bonding: {tolerance: 0.01}
+contact_law: {type: elastic_brittle, bond_modulus: 10 GPa, stiffness_ratio: 3.7, tensile_strength: 40 MPa,
+              shear_strength: 40 MPa, friction: 0.5}
+damping: {translational: 0.5, rotational: 0.5}
+protocol: {type: periodic_cell, axis: z, strain_rate: 20 1/s, lateral_pressure: 0 MPa, max_strain: 0.5 %}
+postprocessors: [{type: stress}, {type: elastic_constants}, {type: energy}]
+)";
+  Json run(const std::string& arguments) const {
+    const Result r = call("run " + arguments + " --output out --overwrite --threads 1");
+    EXPECT_EQ(r.code, 0) << r.text;
+    return r.code == 0 ? Json::parse(content(folder_ / "out/summary.json")) : Json::object();
+  }
+};
+
+TEST_F(PeriodicInWorkflows, ALatticeHasItsExactModulusInEveryTest) {
+  write("cell.yaml", lattice);
+  const Json s = run("cell.yaml");
+  if (HasFailure()) return;
+  EXPECT_NEAR(s["youngs_modulus_Pa"].get<double>(), 10e9, 1e-3 * 10e9);
+  EXPECT_NEAR(s["poisson_ratio"].get<double>(), 0, 1e-3);
+  EXPECT_LT(std::abs(s["energy_error"].get<double>()), 1e-3);
+  EXPECT_EQ(s["particles"].get<int>(), 5 * 5 * 6);
+  EXPECT_NEAR(s["packing"]["period_x"]["asked"].get<double>(), 10.3e-3, 1e-12);
+  EXPECT_NEAR(s["packing"]["period_x"]["got"].get<double>(), 10e-3, 1e-12);
+  EXPECT_NEAR(s["porosity"].get<double>(), 1 - M_PI / 6, 1e-9);
+  // Without lateral strain, with a lateral pressure, pulled, along another axis, and between platens with free sides
+  // of which there are none: always the same springs.
+  for (const char* change :
+       {"--set protocol.lateral_pressure=null", "--set protocol.lateral_pressure=5MPa",
+        "--set protocol.sense=tension --set protocol.max_strain=0.3% --set "
+        "'postprocessors=[{type: stress}, {type: elastic_constants, sense: tension}, {type: energy}]'",
+        "--set protocol.axis=x"}) {
+    const Json other = run(std::string("cell.yaml ") + change);
+    if (HasFailure()) return;
+    EXPECT_NEAR(other["youngs_modulus_Pa"].get<double>(), 10e9, 2e-3 * 10e9) << change;
+    EXPECT_LT(std::abs(other["energy_error"].get<double>()), 5e-3) << change;
+  }
+}
+
+TEST_F(PeriodicInWorkflows, EveryResultHasItsUnitAsData) {
+  write("cell.yaml", lattice);
+  const Json s = run("cell.yaml");
+  if (HasFailure()) return;
+  EXPECT_EQ(s["units"]["youngs_modulus_Pa"], "Pa");
+  EXPECT_EQ(s["units"]["elastic_constants.average.youngs_modulus_Pa"], "Pa");
+  EXPECT_EQ(s["units"]["contact_law.normal_stiffness_N_m"].is_null()
+                ? s["units"]["elastic_brittle.normal_stiffness_N_m"]
+                : s["units"]["contact_law.normal_stiffness_N_m"],
+            "N/m");
+  EXPECT_FALSE(s["units"].contains("poisson_ratio"));
+  EXPECT_FALSE(s["units"].contains("particles"));
+}
+
+TEST_F(PeriodicInWorkflows, PlatensStandWhereItDoesNotRepeatItself) {
+  std::string text(lattice);
+  text.replace(text.find("[x, y, z]"), 9, "[x, y]");
+  text.replace(
+      text.find("protocol: {"), text.find("postprocessors") - text.find("protocol: {"),
+      "protocol: {type: uniaxial_compression, platen_velocity: 0.1 m/s, platen_stiffness: 20 MN/m, max_strain: "
+      "0.3 %}\n");
+  write("platens.yaml", text);
+  const Json s = run("platens.yaml");
+  if (HasFailure()) return;
+  const Json& axial = s["uniaxial_compression"];
+  EXPECT_NEAR(axial["cross_section_area_m2"].get<double>(), 1e-4, 1e-12) << "the cell's";
+  Result r = call("run platens.yaml --output across --set 'periodic=[z]'");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_TRUE(has(r.text, "across z")) << r.text;
+  r = call(
+      "run platens.yaml --output sides --set protocol.type=triaxial_compression --set "
+      "protocol.confining_pressure=5MPa");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_TRUE(has(r.text, "no sides")) << r.text;
+}
+
+TEST_F(PeriodicInWorkflows, WhatCannotBeIsSaid) {
+  write("cell.yaml", lattice);
+  Result r = call("validate cell.yaml --set 'periodic=[x, w, x]'");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_TRUE(has(r.text, "periodic[1]") && has(r.text, "not `w`")) << r.text;
+  EXPECT_TRUE(has(r.text, "periodic[2]") && has(r.text, "twice")) << r.text;
+  r = call("run cell.yaml --output open --set 'periodic=[x, y]'");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_TRUE(has(r.text, "periodic_cell") && has(r.text, "[x, y, z]")) << r.text;
+  r = call(
+      "validate cell.yaml --set packing='{type: labra_onate, container: {shape: box, size: [8 mm, 8 mm, 8 mm]}, "
+      "particles: 100, radius: {distribution: uniform, min: 0.5 mm, max: 0.9 mm}}'");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_TRUE(has(r.text, "cannot fill a space that repeats itself")) << r.text;
+  r = call("run cell.yaml --output narrow --set 'packing.container.size=[4 mm, 10 mm, 10 mm]'");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_TRUE(has(r.text, "two images")) << r.text;
+  r = call("run cell.yaml --output strain --set 'postprocessors=[{type: bagi_strain}]'");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_TRUE(has(r.text, "no outline")) << r.text;
+}
+
+}  // namespace
+}  // namespace breccia::testing
