@@ -2,11 +2,14 @@
 /// A law over one chunk of pairs, instantiated inside its plugin: geometry and law fused in one vector loop.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "breccia/chunk.hpp"
 #include "breccia/contact.hpp"
@@ -100,10 +103,35 @@ constexpr std::size_t per_bond_count() {
   else return 0;
 }
 
+/// A law as words of memory, which it may be copied as: so its constants can be laid out as arrays over the pairs of a
+/// chunk without their names. Words are only moved, whatever they hold.
+template <class Law>
+using LawWords = std::array<double, (sizeof(Law) + sizeof(double) - 1) / sizeof(double)>;
+template <class Law>
+constexpr std::size_t word_count = std::tuple_size_v<LawWords<Law>>;
+
+/// The laws of all kinds of pairs.
+template <class Law>
+struct LawTable {
+  std::vector<LawWords<Law>> of_kind;
+  std::vector<std::size_t> differing;  ///< words that are not the same in all of them
+
+  LawTable() = default;
+  explicit LawTable(const std::vector<Law>& laws) : of_kind(laws.size()) {
+    for (std::size_t k = 0; k < laws.size(); ++k) std::memcpy(&of_kind[k], &laws[k], sizeof(Law));
+    for (std::size_t w = 0; w < word_count<Law>; ++w)
+      if (std::any_of(of_kind.begin(), of_kind.end(), [&](const auto& words) {
+            return std::bit_cast<std::uint64_t>(words[w]) != std::bit_cast<std::uint64_t>(of_kind[0][w]);
+          }))
+        differing.push_back(w);
+  }
+};
+
 /// What differs from pair to pair besides its contact: the law by kind of pair, and what each bond was given.
 template <class Law>
 struct Variety {
   const Law* of_kind = nullptr;
+  const LawTable<Law>* table = nullptr;                           ///< the same
   const std::uint32_t* kind = nullptr;                            ///< of the chunk's pairs; null: all are of the first
   std::array<const double*, per_bond_count<Law>() + 1> factor{};  ///< of the chunk's bonds, one array a constant
 };
@@ -208,21 +236,54 @@ BRECCIA_VECTOR_CLONES void evaluate_chunk(const Law law, const PairChunk& g, dou
   write_back(next, h, n);
 }
 
-/// The same where constants of the law differ within the chunk.
+/// The laws of a chunk's pairs, each word of theirs an array over the pairs: the vector loop reads it as it reads the
+/// pairs. To look laws up by kind within that loop keeps them in memory, and the loop scalar.
+template <class Law>
+struct alignas(64) LawsOfPairs {
+  double word[word_count<Law>][PairChunk::capacity];
+};
+template <class Law>
+BRECCIA_KERNEL void spread_laws(const Variety<Law>& v, std::size_t n, LawsOfPairs<Law>& to) {
+  const LawWords<Law>* const of_kind = v.table->of_kind.data();
+  for (std::size_t w = 0; w < word_count<Law>; ++w) std::fill_n(to.word[w], PairChunk::capacity, of_kind[0][w]);
+  for (std::size_t k = 0; k < n; ++k) {
+    const LawWords<Law>& words = of_kind[v.kind[k]];
+    for (const std::size_t w : v.table->differing) to.word[w][k] = words[w];
+  }
+}
+template <class Law, std::size_t W>
+BRECCIA_KERNEL void set_word(Law& law, double word) {
+  constexpr std::size_t at = W * sizeof(double);
+  std::memcpy(reinterpret_cast<char*>(&law) + at, &word, std::min(sizeof(double), sizeof(Law) - at));
+}
+template <class Law, std::size_t... W>
+BRECCIA_KERNEL void take_law(Law& law, const LawsOfPairs<Law>& laws, std::size_t k, std::index_sequence<W...>) {
+  (set_word<Law, W>(law, laws.word[W][k]), ...);
+}
+
+/// As `evaluate_lane`, with the pair's own law. A copy, and not in the loop, for the reason given there.
+template <class Law, bool adds, bool by_kind>
+BRECCIA_KERNEL void evaluate_varied_lane(const Law& first, const LawsOfPairs<Law>& laws, const Variety<Law>& v,
+                                         const PairChunk& g, double* const* h, NewState<Law>& next, double dt,
+                                         std::size_t k, PairAnswer& out) {
+  Law law = first;
+  if constexpr (by_kind) take_law(law, laws, k, std::make_index_sequence<word_count<Law>>{});
+  scale_constants(law, v, k, std::make_index_sequence<per_bond_count<Law>()>{});
+  evaluate_lane<Law, adds>(law, g, h, next, dt, k, out);
+}
+
+/// The same where constants of the law differ within the chunk: the laws of its pairs as a structure of arrays.
 template <class Law, bool adds, bool by_kind>
 BRECCIA_VECTOR_CLONES void evaluate_varied(const Variety<Law> v, const PairChunk& g, double* const* h,
                                            PairAnswer& out) {
-  constexpr auto constants = std::make_index_sequence<per_bond_count<Law>()>{};
   NewState<Law> next;
+  LawsOfPairs<Law> laws;
   const std::size_t n = g.size;
   const double dt = g.time_step;
   const Law first = *v.of_kind;
+  if constexpr (by_kind) spread_laws(v, n, laws);
 #pragma omp simd
-  for (std::size_t k = 0; k < n; ++k) {
-    Law law = by_kind ? v.of_kind[v.kind[k]] : first;
-    scale_constants(law, v, k, constants);
-    evaluate_lane<Law, adds>(law, g, h, next, dt, k, out);
-  }
+  for (std::size_t k = 0; k < n; ++k) evaluate_varied_lane<Law, adds, by_kind>(first, laws, v, g, h, next, dt, k, out);
   write_back(next, h, n);
 }
 

@@ -104,6 +104,7 @@ class ContactLawOf final : public ContactLaw {
     std::vector<Law> laws;
     for (ContactLaw* law : of_kind) laws.push_back(static_cast<ContactLawOf*>(law)->laws_.front());
     laws_ = std::move(laws);
+    table_ = detail::LawTable<Law>(laws_);
   }
   void scatter(const std::vector<std::string>& parameters) override {
     if constexpr (constants > 0) {
@@ -164,6 +165,7 @@ class ContactLawOf final : public ContactLaw {
     v.of_kind = laws_.data();
     v.kind = laws_.size() > 1 && chunk.mixed ? chunk.kind : nullptr;
     if (!v.kind) v.of_kind += kind(chunk, 0);
+    v.table = &table_;
     for (std::size_t c = 0; c < constants; ++c) v.factor[c] = column_[c] ? history[column_[c]] : ones.data();
     return v;
   }
@@ -174,7 +176,8 @@ class ContactLawOf final : public ContactLaw {
   }
 
   Config config_;
-  std::vector<Law> laws_;  ///< of each kind of pair, or the one for all
+  std::vector<Law> laws_;        ///< of each kind of pair, or the one for all
+  detail::LawTable<Law> table_;  ///< the same, for the step loop; empty where there is but one
   bool scatters_ = false;
   std::array<std::size_t, constants + 1> column_{};  ///< of the factors of each constant; 0: none
 };
