@@ -129,6 +129,7 @@ void compare(const LawCase& of, bool mixed, bool scatters, bool adds, std::size_
     laws.push_back(prepared(of.name, config, scattering));
     of_kind.push_back(laws.back().get());
   }
+  if (!adds && !laws[0]->makes_bonds()) return;  // stands behind another
   laws[0]->take_kinds(of_kind);
   const std::size_t columns = laws[0]->columns().size();
   Chunk all(columns + scattering.size());
