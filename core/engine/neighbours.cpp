@@ -95,6 +95,8 @@ void rebuild_pairs(State& s, const Interactions& law, double skin, Pairs& spare,
   const Particles& p = s.particles;
   const Index n = Index(p.size());
   std::swap(s.pairs, spare);
+  std::swap(s.pairs.force, spare.force);  // nothing is kept of them: one array does
+  std::swap(s.pairs.moment, spare.moment);
   const Pairs& old = spare;
   Pairs& q = s.pairs;
   const auto old_start = rows_by_first(old.i, n);
@@ -148,10 +150,19 @@ void rebuild_pairs(State& s, const Interactions& law, double skin, Pairs& spare,
     for (std::size_t c = 0; c < q.columns.size(); ++c)
       for (std::size_t k = 0; k < count; ++k)
         if (rows.from[k] != Rows::fresh) q.columns[c][start + k] = old.columns[c][rows.from[k]];
+    std::size_t first_new = start;  // of a run of new pairs: the law is asked once for each run
+    const auto begin_history = [&](std::size_t end) {
+      PairBatch run = all;
+      run.begin = first_new;
+      run.end = end;
+      if (first_new < end) law.initialise(run);
+    };
     for (std::size_t r = 0; r < count; ++r) {
       const Index i = rows.i[r], j = rows.j[r], from = rows.from[r];
       const std::size_t k = start + r;
       if (from != Rows::fresh) {
+        begin_history(k);
+        first_new = k + 1;
         q.bond[k] = old.bond[from];
         q.rest_length[k] = old.rest_length[from];
         q.state[k] = old.state[from];
@@ -164,13 +175,10 @@ void rebuild_pairs(State& s, const Interactions& law, double skin, Pairs& spare,
         q.state[k] = bonded ? s.bonds.state[q.bond[k]] : BondState::unbonded;
         q.rest_length[k] =
             bonded ? s.bonds.initial_distance[q.bond[k]] : std::min(distance(s, i, j), p.radius[i] + p.radius[j]);
-        PairBatch one = all;
-        one.begin = k;
-        one.end = k + 1;
-        law.initialise(one);
       }
       if (q.bond[k] != PairsView::no_bond) s.bonds.pair[q.bond[k]] = Index(k);
     }
+    begin_history(start + count);
   }
   s.positions_at_rebuild = p.position;
   s.cell_at_rebuild = s.cell;

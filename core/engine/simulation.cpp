@@ -191,7 +191,7 @@ void Simulation::forces(bool to_be_viewed) {
   const std::size_t shares = partition_.shares.size();
 #pragma omp parallel num_threads(settings_.threads)
   {
-#pragma omp for schedule(static, 1) nowait
+#pragma omp for schedule(dynamic, 1) nowait
     for (std::size_t t = 0; t < shares; ++t) {
       const Share& share = partition_.shares[t];
       PairBatch mine = all;
@@ -245,6 +245,15 @@ void Simulation::record_breaks() {
 /// No test can be made of a few steps: a wall would be through the specimen before it was stopped.
 void Simulation::refuse_long_way() const {
   constexpr double most = 0.05;
+  if (const double strain = (state_.cell_velocity_asked * state_.cell.inverse()).norm() * state_.time_step;
+      strain > most) {
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "in one time step of %.3g s the space would be strained by %.3g: check density, moduli and the rate "
+                  "of strain for their units",
+                  state_.time_step, strain);
+    throw UserError(text);
+  }
   const double height = state_.specimen.height;
   for (const Wall& w : state_.walls)
     if (const double way = w.velocity.norm() * state_.time_step; height > 0 && way > most * height) {

@@ -9,10 +9,11 @@
 namespace breccia {
 namespace {
 
-/// Of what the test leads: walls, and the velocities of held particles [m/s].
+/// Of what the test leads: walls, the velocities of held particles, the edges of a cell [m/s].
 double fastest_boundary(const State& s) {
   double fastest = 0;
   for (const Wall& w : s.walls) fastest = std::max(fastest, w.velocity.norm());
+  for (int k = 0; k < 3; ++k) fastest = std::max(fastest, s.cell_velocity.col(k).norm());
   for (std::size_t a = 0; a < s.particles.size(); ++a)
     for (int k = 0; k < 3; ++k)
       if (s.particles.held[a] >> k & 1) fastest = std::max(fastest, std::abs(s.particles.velocity[a][k]));
@@ -51,7 +52,8 @@ void LoadingChecks::look_for_speed(Simulation& simulation, Host& host) {
   fast_ = true;
   host.warn(
       fmt::format("a boundary moves at {:.3g} m/s, that is {:.3g} % of the speed of waves in the bonded specimen "
-                  "({:.4g} m/s): its load does not reach the whole specimen at once; lower the velocity of the platens",
+                  "({:.4g} m/s): its load does not reach the whole specimen at once; lower the velocity of the "
+                  "platens, or the rate of strain",
                   speed, 100 * speed / wave_speed_, wave_speed_));
 }
 

@@ -41,7 +41,7 @@ TEST_F(PeriodicInWorkflows, ALatticeHasItsExactModulusInEveryTest) {
   // Without lateral strain, with a lateral pressure, pulled, along another axis, and between platens with free sides
   // of which there are none: always the same springs.
   for (const char* change :
-       {"--set protocol.lateral_pressure=null", "--set protocol.lateral_pressure=5MPa",
+       {"--set protocol.lateral=fixed", "--set protocol.lateral_pressure=5MPa",
         "--set protocol.sense=tension --set protocol.max_strain=0.3% --set "
         "'postprocessors=[{type: stress}, {type: elastic_constants, sense: tension}, {type: energy}]'",
         "--set protocol.axis=x"}) {

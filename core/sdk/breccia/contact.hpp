@@ -40,6 +40,16 @@ struct Contact {
   double normal_force;  ///< of the laws that stand before this one in the list, tension positive; 0 for the first [N]
   double reduced_mass;  ///< m_i m_j/(m_i + m_j) [kg]
   double time_step;     // [s]
+
+  BRECCIA_KERNEL double touching() const {
+    return radius_i + radius_j;
+  }  ///< distance of the centres when the surfaces touch [m]
+  /// Distance below which the two press on each other without a bond: when they touch, or, if they overlapped more when
+  /// the pair was made, from there on [m].
+  BRECCIA_KERNEL double free_length() const {
+    const double sum = radius_i + radius_j;
+    return rest_length < sum ? rest_length : sum;
+  }
 };
 
 /// What a law answers. Tension is positive; shear and moment act on i, their opposites on j.

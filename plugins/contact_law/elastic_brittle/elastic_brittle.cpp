@@ -140,12 +140,16 @@ struct ElasticBrittle {
     f.shear_y = ks * s.spring_y;
     f.shear_z = ks * s.spring_z;
     f.breaks = tension ? double(BondState::broken_tension) : shear ? double(BondState::broken_shear) : 0.0;
-    // Stored before minus stored after. What a bond loses in the step it breaks is fracture energy.
+    // Stored before minus stored after. What a bond loses in the step it breaks is fracture energy. It breaks somewhere
+    // within the step; leapfrog's own work, the mean of the forces at both ends, has it half-way: no more is stored by
+    // then.
     const double lost_shear = 0.5 * ks * spring * spring * (1 - keep * keep);
     const double free_stored = 0.5 * pressed * (c.distance - free_length(c));
     const double bonded_stored = 0.5 * bonded_normal * (c.distance - c.rest_length);
+    const double not_done = 0.5 * ((bonded_normal - pressed) * c.normal_velocity * c.time_step +
+                                   ks * (1 - keep) * (ux * c.shear_x + uy * c.shear_y + uz * c.shear_z));
     const bool broke = tension | shear;
-    f.fracture_energy = broke ? lost_shear + bonded_stored - free_stored : 0.0;
+    f.fracture_energy = broke ? lost_shear + bonded_stored - free_stored - not_done : 0.0;
     f.friction_work = broke ? 0.0 : slip.work;
     return f;
   }
@@ -183,8 +187,7 @@ struct ElasticBrittle {
     return a_uniform + (a_arithmetic * mean + a_arithmetic_linear) * mean + (a_minimum * low + a_minimum_linear) * low;
   }
   BRECCIA_KERNEL double free_length(const Contact& c) const {
-    const double sum = c.radius_i + c.radius_j, touching = c.rest_length < sum ? c.rest_length : sum;
-    return keep_rest_length > 0.5 ? c.rest_length : touching;
+    return keep_rest_length > 0.5 ? c.rest_length : c.free_length();
   }
 
   /// Averages over all particles (3a) or bonds (3b, 3c) of the radii that stiffness and strength go by.

@@ -85,7 +85,6 @@ struct Law {
 
     const double pulled = strain > 0 ? strain : 0.0, fall = decay(pulled * inverse_scale);
     const double bonded = strain > 0 ? -scale * fall : strain;
-    // Without a bond: from the length at which the particles touch, unless they overlapped more when the pair was made.
     const bool spanned = c.rest_length > touching;
     const double gap = spanned ? (c.distance - touching) * inverse_touching : strain, pressed = gap < 0 ? gap : 0.0;
     const double push = friction * kn * -pressed;
@@ -109,21 +108,24 @@ struct Law {
     f.moment_y = km * s.bending_y + twisting * c.ny;
     f.moment_z = km * s.bending_z + twisting * c.nz;
     f.breaks = tension ? double(BondState::broken_tension) : sheared ? double(BondState::broken_shear) : 0.0;
-    // What the bond stored, less what the bare contact goes on storing.
+    // What the bond stored, less what the bare contact goes on storing. It breaks somewhere within the step; leapfrog's
+    // own work, the mean of the forces at both ends, has it half-way: no more is stored by then.
     const double stretch = strain > 0 ? scale * (strain + scale * fall) : 0.5 * strain * strain;
-    const double left = 0.5 * kn * (spanned ? touching : c.rest_length) * pressed * pressed;
+    const double left = 0.5 * kn * c.free_length() * pressed * pressed;
     const double lost_shear = 0.5 * ks * shear * shear * (1 - keep * keep);
     const double lost = c.rest_length * (kn * stretch + lost_shear) - left + 0.5 * (km * bending2 + kt * twist * twist);
-    f.fracture_energy = broke ? lost : 0.0;
+    const double not_done = 0.5 * (kn * (bonded - pressed) * c.normal_velocity * c.time_step +
+                                   ks * (1 - keep) * (sx * c.shear_x + sy * c.shear_y + sz * c.shear_z) +
+                                   km * (bx * c.turn_x + by * c.turn_y + bz * c.turn_z) + kt * twist * turned);
+    f.fracture_energy = broke ? lost - not_done : 0.0;
     f.friction_work = broke ? 0.0 : c.rest_length * slip.work;  // springs are strains here
     return f;
   }
 
   BRECCIA_KERNEL double energy(const Contact& c, const State& s) const {
-    const double touching = c.radius_i + c.radius_j;
     const double kn = normal_stiffness(c.radius_i < c.radius_j ? c.radius_i : c.radius_j), km = bending_stiffness(kn);
     const bool intact = c.intact > 0.5;
-    const double length = !intact & (c.rest_length > touching) ? touching : c.rest_length;
+    const double length = intact ? c.rest_length : c.free_length();
     const double strain = (c.distance - length) / length, pulled = strain > 0 ? strain : 0.0;
     const double stretch = strain < 0 ? 0.5 * strain * strain
                            : intact   ? scale * (pulled + scale * decay(pulled * inverse_scale))
@@ -136,9 +138,9 @@ struct Law {
 
   /// Tension is stiffest where it begins, and as stiff there as compression.
   BRECCIA_KERNEL ContactStiffness stiffness(const Contact& c) const {
-    const double touching = c.radius_i + c.radius_j, kn = normal_stiffness(std::min(c.radius_i, c.radius_j));
+    const double kn = normal_stiffness(std::min(c.radius_i, c.radius_j));
     const double km = c.intact > 0.5 ? bending_stiffness(kn) : 0.0;
-    return {kn / std::min(c.rest_length, touching), kn * shear_ratio / c.rest_length, km, km * torsion_ratio};
+    return {kn / c.free_length(), kn * shear_ratio / c.rest_length, km, km * torsion_ratio};
   }
 
   /// Constants that are the same for all bonds, in two dimensions for the thickness of the specimen.

@@ -14,6 +14,7 @@ namespace breccia {
 namespace {
 
 enum class Sense { compression, tension };
+enum class Lateral { pressure, fixed };
 
 }  // namespace
 
@@ -22,8 +23,9 @@ class PeriodicCell final : public Protocol {
   struct Config {
     LoadingAxis axis;
     Sense sense;
-    double strain_rate, max_strain, stop_stress_ratio;
-    std::optional<double> lateral_pressure, failure_stress;
+    Lateral lateral;
+    double strain_rate, max_strain, stop_stress_ratio, lateral_pressure;
+    std::optional<double> failure_stress;
   };
 
   static void describe(Schema<Config>& s) {
@@ -34,12 +36,13 @@ class PeriodicCell final : public Protocol {
             "Needs `periodic: [x, y, z]` (in two dimensions `[x, y]`) and has neither platens nor sides: what is "
             "measured is a point in the middle of a large body. The edge of the cell along the axis changes at a "
             "steady "
-            "rate. Across the axis the cell keeps its size (uniaxial strain), or it is led so that the stress there is "
-            "`lateral_pressure`: 0 gives uniaxial stress, more a triaxial test, whose pressure is first led to its "
-            "value "
-            "all round. Stresses are (1/V) times the sum over pairs of branch vector (x) force, V the present volume "
-            "of "
-            "the cell; strains are changes of its edges over their lengths at the start of loading.");
+            "rate. Across the axis it is led so that the stress there is `lateral_pressure` (0 gives uniaxial stress, "
+            "more "
+            "a triaxial test), or it keeps its size (uniaxial strain). A pressure above 0 is first led to its value "
+            "all "
+            "round. Stresses are (1/V) times the sum over pairs of branch vector (x) force, V the present volume of "
+            "the "
+            "cell; strains are changes of its edges over their lengths at the start of loading.");
     describe_loading_axis(s);
     s.param("sense", &Config::sense)
         .choice("compression", Sense::compression, "the cell grows shorter")
@@ -56,11 +59,17 @@ class PeriodicCell final : public Protocol {
         .below(1)
         .fallback(0.02)
         .doc("axial strain at which the test ends at the latest");
+    s.param("lateral", &Config::lateral)
+        .choice("pressure", Lateral::pressure, "lateral_pressure is kept, and the cell grows as it must")
+        .choice("fixed", Lateral::fixed, "no lateral strain is let through")
+        .fallback("pressure")
+        .doc("what happens across the axis while the cell is loaded");
     s.param("lateral_pressure", &Config::lateral_pressure)
         .unit("Pa")
         .at_least(0)
-        .example("0 MPa")
-        .doc("kept across the axis, compression positive; if it is not given, no lateral strain is let through");
+        .fallback(0.0)
+        .example("20 MPa")
+        .doc("compression positive: led to this value all round before the cell is loaded");
     s.param("stop_stress_ratio", &Config::stop_stress_ratio)
         .at_least(0)
         .below(1)
@@ -106,7 +115,8 @@ class PeriodicCell final : public Protocol {
     for (int k = 0; k < dimension_; ++k) {
       const bool led = k == axis_ && s_.loading;
       if (led) rate[k] = s_.rate.at(t) * s_.start[k] / edges(control.cell())[k];  // a steady change of length
-      else if (c_.lateral_pressure) rate[k] = follow(-s_.stress[k] - pressure);
+      else if (c_.lateral == Lateral::pressure || !s_.loading)
+        rate[k] = follow(-s_.stress[k] - pressure, s_.steady_rate[k], control.time_step());
     }
     control.set_cell_velocity(control.cell().vectors() * rate.asDiagonal());
   }
@@ -116,7 +126,10 @@ class PeriodicCell final : public Protocol {
     const Mat3 stress = control.cell_stress();
     s_.stress = stress.diagonal();
     if (!s_.loading) {
-      if (!confined(t)) return Progress::running;
+      if (!s_.looking) {  // loading begins in a step whose forces are wanted in full
+        s_.looking = confined(t);
+        if (!s_.looking || t > 0) return s_.looking ? Progress::look : Progress::running;
+      }
       s_.loading = true;
       s_.start = edges(control.cell());
       s_.rate.lead_to((c_.sense == Sense::tension ? 1 : -1) * c_.strain_rate, t, 5 * travel_);
@@ -159,10 +172,8 @@ class PeriodicCell final : public Protocol {
 
   void finish(const SimulationView&, const Curves&, Summary& summary) override {
     for (int k = 0; k < dimension_; ++k) summary.own({std::string("edge_at_start_") + "xyz"[k], "m"}, s_.start[k]);
-    if (c_.lateral_pressure) {
-      summary.own({"lateral_pressure_asked", "Pa"}, *c_.lateral_pressure);
-      summary.own({"lateral_pressure_at_end", "Pa"}, -lateral(s_.stress));
-    }
+    summary.own({"lateral_pressure_asked", "Pa"}, c_.lateral_pressure);
+    summary.own({"lateral_pressure_at_end", "Pa"}, -lateral(s_.stress));
     summary.own({"peak_deviatoric_stress", "Pa"}, s_.peak);
     summary.own("final_axial_strain", s_.strain);
     summary.own("stopped_by", s_.failed ? "stress drop" : s_.strain >= c_.max_strain ? "max_strain" : "request");
@@ -171,11 +182,11 @@ class PeriodicCell final : public Protocol {
 
  private:
   struct Running {
-    Vec3 start = Vec3::Ones(), edges = Vec3::Ones(), stress = Vec3::Zero();
+    Vec3 start = Vec3::Ones(), edges = Vec3::Ones(), stress = Vec3::Zero(), steady_rate = Vec3::Zero();
     double strain = 0, peak = 0, confining_time = 0;
     SmoothRamp pressure, rate;
     StressDrop drop;
-    bool begun = false, loading = false, failed = false;
+    bool begun = false, looking = false, loading = false, failed = false;
   };
 
   static Vec3 edges(const Cell& cell) { return cell.vectors().colwise().norm().transpose(); }
@@ -188,22 +199,24 @@ class PeriodicCell final : public Protocol {
 
   void begin(const LoadControl& control) {
     s_.begun = true;
-    const double pressure = c_.lateral_pressure.value_or(0);
+    const double pressure = c_.lateral_pressure;
     if (pressure == 0) return;
     // At about the rate of the test, and slowly against the waves that it sends.
     s_.confining_time = std::max(pressure / stiffness_.modulus / c_.strain_rate, 5 * travel_);
     s_.pressure.lead_to(pressure, control.time(), s_.confining_time);
   }
 
-  /// Rate of strain that makes up for too large a pressure in about the time of a wave through the cell.
-  double follow(double excess) const {
-    const double most = 10 * c_.strain_rate;
-    return std::clamp(excess / (stiffness_.modulus * travel_), -most, most);
+  /// Rate of strain that makes up for too large a pressure in about the time of a wave through the cell; `steady`
+  /// learns the rate at which the cell must grow for the pressure to stay as it is.
+  double follow(double excess, double& steady, double time_step) const {
+    const double most = 10 * c_.strain_rate, now = excess / (stiffness_.modulus * travel_);
+    steady = std::clamp(steady + now * time_step / (8 * travel_), -most, most);
+    return std::clamp(now + steady, -most, most);
   }
 
   /// Whether all directions carry the pressure.
   bool confined(double time) {
-    const double pressure = c_.lateral_pressure.value_or(0);
+    const double pressure = c_.lateral_pressure;
     if (pressure == 0) return true;
     if (!s_.pressure.done(time)) return false;
     double off = 0;

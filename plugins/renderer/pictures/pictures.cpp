@@ -136,7 +136,7 @@ class Pictures final : public Renderer {
   explicit Pictures(const Config& config) : config_(config) {}
 
   std::vector<fs::path> render(const RenderRequest& request, Host& host) override {
-    const Results results = find_results(request.source);
+    const RunResults results = find_results(request.source);
     std::error_code error;
     fs::create_directories(request.directory, error);
     if (error)
@@ -232,7 +232,7 @@ class Pictures final : public Renderer {
   }
 
   /// What a run of any kind can show, without a word about what it is not made to show.
-  std::vector<PictureConfig> usual_pictures(const Results& results) const {
+  std::vector<PictureConfig> usual_pictures(const RunResults& results) const {
     std::vector<PictureConfig> usual;
     const auto add = [&](Motif show) {
       usual.push_back({show, {}, {}, ColourMap::automatic, {}, {}, {}, Cut::quarter});
@@ -251,7 +251,7 @@ class Pictures final : public Renderer {
     return usual;
   }
 
-  void draw(const PictureConfig& p, const Results& results, const Sheet& sheet, const fs::path& directory,
+  void draw(const PictureConfig& p, const RunResults& results, const Sheet& sheet, const fs::path& directory,
             std::vector<fs::path>& made) const {
     const fs::path png = directory / (file_name(p) + ".png");
     switch (p.show) {

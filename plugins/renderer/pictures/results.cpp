@@ -71,8 +71,8 @@ std::string unit_of(vtkDataArray* array) {
 
 }  // namespace
 
-Results find_results(const fs::path& source) {
-  Results r;
+RunResults find_results(const fs::path& source) {
+  RunResults r;
   if (fs::is_directory(source)) {
     if (fs::exists(source / "particles.pvd")) r.particle_frames = read_collection(source / "particles.pvd");
     if (fs::exists(source / "bonds.pvd")) r.bond_frames = read_collection(source / "bonds.pvd");

@@ -15,14 +15,14 @@
 namespace breccia::pictures {
 
 /// What a source offers; each is empty when it has none.
-struct Results {
+struct RunResults {
   std::vector<std::filesystem::path> particle_frames, bond_frames;
   std::filesystem::path curves;
   std::vector<std::filesystem::path> tables;  ///< by name
 };
 
 /// `source` is a result folder, or one .pvd or .vtp file of particles or bonds. UserError when it is none of these.
-Results find_results(const std::filesystem::path& source);
+RunResults find_results(const std::filesystem::path& source);
 
 /// UserError, naming the file, when it is missing or damaged.
 vtkSmartPointer<vtkPolyData> read_frame(const std::filesystem::path& file);
