@@ -284,7 +284,7 @@ TEST(ElastoDamagePlastic, TheAreaFactorComesFromPorosityAndCoordinationNumber) {
   Simulation s(assemble(simple_cubic(3, 3, 3, 1e-3), {2650}, 3, 1.0), *law, {});
   s.bond({GapMeasure::relative, 1e-9, std::nullopt});
   // A box of 27 cubes that a sphere each fills to pi/6; 54 contacts of 27 spheres.
-  EXPECT_NEAR(law->derived()["area_factor"].get<double>(), 40 * (1 - pi / 6) / 4, 1e-12);
+  EXPECT_NEAR(law->derived().at(0).second.get<double>(), 40 * (1 - pi / 6) / 4, 1e-12);
   Simulation loose(assemble(simple_cubic(3, 3, 3, 1e-3), {2650}, 3, 1.0), *law, {});
   EXPECT_THROW(loose.bond({GapMeasure::relative, -0.1, std::nullopt}), UserError);
   Simulation plane(assemble(simple_cubic(3, 3, 1, 1e-3), {2650}, 3, 1.0), *law, {});

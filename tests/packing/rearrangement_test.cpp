@@ -119,15 +119,15 @@ TEST(CollectiveRearrangement, ACellThatRepeatsItselfHasNoWalls) {
 TEST(CollectiveRearrangement, WhatCannotRepeatItselfSaysSo) {
   PackingRequest request{{3, 1}, 5};
   request.periodic = {true, false, false};
-  const Json box = {{"container", {{"shape", "box"}, {"size", {10e-3, 10e-3, 10e-3}}}},
-                    {"radius", {{"distribution", "uniform"}, {"min", 0.4e-3}, {"max", 0.5e-3}}},
-                    {"particles", 10}};
-  Json margin = box, cylinder = box;
+  const Json cube = {{"container", {{"shape", "box"}, {"size", {10e-3, 10e-3, 10e-3}}}},
+                     {"radius", {{"distribution", "uniform"}, {"min", 0.4e-3}, {"max", 0.5e-3}}},
+                     {"particles", 10}};
+  Json margin = cube, round = cube;
   margin["margin"] = 1e-3;
-  cylinder["container"] = {{"shape", "cylinder"}, {"diameter", 10e-3}, {"height", 20e-3}};
-  EXPECT_EQ(test::make<Packing>(plugin, box)->why_not(request), "");
+  round["container"] = {{"shape", "cylinder"}, {"diameter", 10e-3}, {"height", 20e-3}};
+  EXPECT_EQ(test::make<Packing>(plugin, cube)->why_not(request), "");
   EXPECT_NE(test::make<Packing>(plugin, margin)->why_not(request).find("margin"), std::string::npos);
-  EXPECT_NE(test::make<Packing>(plugin, cylinder)->why_not(request).find("box"), std::string::npos);
+  EXPECT_NE(test::make<Packing>(plugin, round)->why_not(request).find("box"), std::string::npos);
 }
 
 TEST(Rearrangement, LoosePackingsTouchNothingAndStayInside) {
