@@ -201,6 +201,7 @@ void Simulation::forces(bool to_be_viewed) {
       complete_forces(s, partition_.shares[t], incidence_, external_force_, external_torque_);
   }
   record_breaks();
+  settle_led();
 }
 
 void Simulation::record_breaks() {

@@ -90,6 +90,7 @@ class Simulation final : public LoadControl {
   void refuse_long_way() const;
   void record_breaks();
   void fold_chunk_sums();
+  void settle_led();
   double elastic_energy();
 
   State state_;
@@ -108,6 +109,13 @@ class Simulation final : public LoadControl {
   std::vector<std::uint8_t> chunk_broke_;
   std::vector<std::uint8_t> guarded_pairs_;  ///< of `bonds.guarded`, for the present pair list
   std::vector<Vec3> external_force_, external_torque_;
+  /// A component of a held particle's velocity (0 to 2) or spin (3 to 5) that was changed.
+  struct Led {
+    Index particle;
+    int component;
+    double by;
+  };
+  std::vector<Led> led_;  ///< before the forces were known
   bool any_applied_ = false, loading_started_ = false, pair_forces_known_ = true, forces_known_ = false;
   std::uint64_t rebuilds_ = 0;
   std::size_t broken_ = 0;  ///< of the bonds
