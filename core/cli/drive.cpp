@@ -32,9 +32,11 @@ bool is_workflow(const std::string& target) {
   return fs::exists(path) || path.has_parent_path() || has_ending(path, ".yaml") || has_ending(path, ".yml");
 }
 
-PairConfig read_target(const DriveArguments& a, Registry& registry) {
+PairConfig read_target(const DriveArguments& a, Registry& registry, Host& host) {
   if (is_workflow(a.target)) {
-    const Workflow w = load_workflow(a.target, a.overrides, registry).workflow;
+    const LoadedWorkflow loaded = load_workflow(a.target, a.overrides, registry);
+    for (const std::string& doubt : loaded.warnings) host.warn(doubt);
+    const Workflow& w = loaded.workflow;
     return {w.contact_law, {w.material_list().front().density}, w.dimension, w.thickness};
   }
   registry.documentation("contact_law", a.target);  // UserError for a name that no law has
@@ -87,8 +89,8 @@ std::optional<PluginChoice> charts(const DrivePath& path, const Registry& regist
   return renderer_settings("pictures", {"comparisons=[" + wanted + "]"}, registry);
 }
 
-DriveSettings settings(const DriveArguments& a, Registry& registry) {
-  const PairConfig config = read_target(a, registry);
+DriveSettings settings(const DriveArguments& a, Registry& registry, Host& host) {
+  const PairConfig config = read_target(a, registry, host);
   DriveSettings s;
   s.law = config.contact_law;
   s.density = config.material.density;
@@ -111,7 +113,7 @@ int drive(const DriveArguments& a) {
   Console console(1);
   Registry registry;
   for (const std::string& w : registry.warnings()) console.warn(w);
-  DriveSettings s = settings(a, registry);
+  DriveSettings s = settings(a, registry, console);
   const DrivePath path = read_drive_path(a.path);
   s.renderer = charts(path, registry, console);
   const fs::path folder = a.output.empty() ? fs::path("results") / ("drive_" + s.law.names("_")) : a.output;

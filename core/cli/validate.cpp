@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <set>
+
 #include "breccia/utf8.hpp"
 #include "cli/verbs.hpp"
 #include "config/base_chain.hpp"
@@ -19,8 +21,9 @@ int validate(const std::vector<std::filesystem::path>& files, const std::vector<
           throw UserError(file.string() +
                           ": is a study, whose cases say themselves which variant they are: leave out "
                           "--variant");
-        const std::size_t cases = plan(Sweep(file)).cases.size();
-        fmt::print("{}: ok, a study of {} cases\n", printable(file.string()), cases);
+        const SweepPlan planned = plan(Sweep(file));
+        for (const std::string& doubt : planned.warnings) fmt::print(stderr, "warning: {}\n", printable(doubt));
+        fmt::print("{}: ok, a study of {} cases\n", printable(file.string()), planned.cases.size());
         continue;
       }
       std::vector<std::string> variants{variant};
@@ -28,9 +31,11 @@ int validate(const std::vector<std::filesystem::path>& files, const std::vector<
         const std::vector<std::string> all = workflow_variants(file);
         variants.insert(variants.end(), all.begin(), all.end());
       }
+      std::set<std::string> said;  // once, though each variant holds it
       for (const std::string& each : variants) {
         Registry registry;  // one each: plugins named by one workflow must not help another
-        load_workflow(file, overrides, registry, each);
+        for (const std::string& doubt : load_workflow(file, overrides, registry, each).warnings)
+          if (said.insert(doubt).second) fmt::print(stderr, "warning: {}\n", printable(doubt));
       }
       fmt::print("{}: ok\n", printable(file.string()));
     } catch (const UserError& e) {

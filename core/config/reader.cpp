@@ -193,15 +193,17 @@ Json read_section(const BaseChain& chain, const ParamSpec& root, const std::stri
 }
 
 Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins,
-                 const ValuesOnTop& on_top, const std::function<Issues(const Json&)>& root_rules) {
+                 const ValuesOnTop& on_top, const std::function<Issues(const Json&)>& root_rules, Places* places) {
   Laid all = laid(chain, root, plugins, on_top);
+  if (places) *places = Places(all.tree, all.files);
   return checked(all.tree, all.files, std::move(all.findings), root, plugins, root_rules);
 }
 
 Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins,
                  const std::vector<std::string>& overrides, const std::function<Issues(const Json&)>& root_rules,
-                 const std::string& variant) {
+                 const std::string& variant, Places* places) {
   Laid all = laid(chain, root, plugins, overrides, variant);
+  if (places) *places = Places(all.tree, all.files);
   return checked(all.tree, all.files, std::move(all.findings), root, plugins, root_rules);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "config/base_chain.hpp"
+#include "config/places.hpp"
 #include "config/plugin_directory.hpp"
 #include "config/problem.hpp"
 
@@ -24,10 +25,11 @@ namespace breccia {
 /// `variant` names a member of the mapping `variants` of the merged files, which is laid over them like a file over its
 /// base, before the overrides; the result holds nothing of `variants`.
 ///
-/// All problems are found in one pass and thrown as one ConfigError.
+/// All problems are found in one pass and thrown as one ConfigError. `places`: gets to know where the values stand.
 Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins,
                  const std::vector<std::string>& overrides = {},
-                 const std::function<Issues(const Json&)>& root_rules = {}, const std::string& variant = {});
+                 const std::function<Issues(const Json&)>& root_rules = {}, const std::string& variant = {},
+                 Places* places = nullptr);
 
 /// Names of the variants that the files of the chain offer together, in order of the alphabet.
 std::vector<std::string> variants_of(const BaseChain& chain);
@@ -35,7 +37,8 @@ std::vector<std::string> variants_of(const BaseChain& chain);
 /// The same with the values that a study gives in place of those of the command line. Relative paths in them start at
 /// the study's folder.
 Json read_config(const BaseChain& chain, const ParamSpec& root, const PluginDirectory& plugins,
-                 const ValuesOnTop& on_top, const std::function<Issues(const Json&)>& root_rules = {});
+                 const ValuesOnTop& on_top, const std::function<Issues(const Json&)>& root_rules = {},
+                 Places* places = nullptr);
 
 /// One member of `root` alone, by the same way of merging, variant and overrides included, and in the same form: for
 /// what must be known before the plugins are (the section that names them). Null when it is absent or not in order,

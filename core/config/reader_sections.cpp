@@ -269,27 +269,30 @@ Json SectionReader::read_plugin(const ParamSpec& spec, const YamlNode& node, con
   return section;
 }
 
-void SectionReader::add_issues(const Issues& issues, const YamlNode& node, const Site& site) {
-  for (const Issue& issue : issues) {
-    // As far down as the path names something that was written.
-    Place place = site.path.empty() ? node.place : site.place;
-    const YamlNode* at = &node;
-    for (const PathStep& step : split_path(issue.path)) {
-      if (step.name.empty()) continue;
-      const YamlNode* next = nullptr;
-      if (at->kind == YamlNode::Kind::sequence) {
-        std::size_t index = at->items.size();
-        std::from_chars(step.name.data(), step.name.data() + step.name.size(), index);
-        if (index < at->items.size()) next = at->items[index].get();
-      } else if (const YamlEntry* entry = at->find(step.name)) {
-        next = entry->value.get();
-      }
-      if (!next) break;
-      place = next->place;
-      at = next;
+Place place_of(const YamlNode& node, const std::string& path, Place otherwise) {
+  Place place = otherwise;
+  const YamlNode* at = &node;
+  for (const PathStep& step : split_path(path)) {
+    if (step.name.empty()) continue;
+    const YamlNode* next = nullptr;
+    if (at->kind == YamlNode::Kind::sequence) {
+      std::size_t index = at->items.size();
+      std::from_chars(step.name.data(), step.name.data() + step.name.size(), index);
+      if (index < at->items.size()) next = at->items[index].get();
+    } else if (const YamlEntry* entry = at->find(step.name)) {
+      next = entry->value.get();
     }
-    report(place, issue.path.empty() ? site.path : member_path(site.path, issue.path), issue.text);
+    if (!next) break;
+    place = next->place;
+    at = next;
   }
+  return place;
+}
+
+void SectionReader::add_issues(const Issues& issues, const YamlNode& node, const Site& site) {
+  for (const Issue& issue : issues)
+    report(place_of(node, issue.path, site.path.empty() ? node.place : site.place),
+           issue.path.empty() ? site.path : member_path(site.path, issue.path), issue.text);
 }
 
 }  // namespace breccia

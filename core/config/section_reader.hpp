@@ -82,6 +82,9 @@ class SectionReader {
   std::vector<Finding> findings_;
 };
 
+/// Of the value at `path` below `node`, as far down as the path names something that was written.
+Place place_of(const YamlNode& node, const std::string& path, Place otherwise);
+
 /// The section under which `key` is known elsewhere in the workflow ("contact_law"), or nothing. "" is the top level.
 std::optional<std::string> section_with_key(const std::string& key, const std::string& not_this_section,
                                             const ParamSpec& root, const YamlNode& tree,

@@ -41,6 +41,10 @@ double share_below(const Distribution& d, double limit) {
 
 }  // namespace
 
+double Distribution::standard_deviation() const {
+  return with(*this, [](const auto& as) { return boost::math::standard_deviation(as); });
+}
+
 double Distribution::share_within() const {
   return (upper ? share_below(*this, *upper) : 1.0) - (lower ? share_below(*this, *lower) : 0.0);
 }

@@ -16,6 +16,8 @@ struct Distribution {
 
   /// The value below which a share `u` (0 to 1, neither of them) of what is drawn lies.
   double quantile(double u) const;
+  /// Of the whole distribution, before it is truncated.
+  double standard_deviation() const;
   /// Share of the distribution that lies between the two limits.
   double share_within() const;
 };

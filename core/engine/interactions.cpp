@@ -241,23 +241,26 @@ void Interactions::prepare(const Assembly& assembly) {
   }
 }
 
-/// What a bond was given depends on its two particles and on nothing else.
+double drawn(const NamedLaw& law, const ScatteredParameter& parameter, const Distribution& distribution, Index a,
+             Index b) {
+  const std::uint64_t stream = stream_of(law.name + "." + parameter.name);
+  return distribution.quantile(uniform(law.seed, stream, std::min(a, b), std::max(a, b))) / distribution.mean;
+}
+
 void Interactions::draw(const PairBatch& b) const {
   for (std::size_t l = 0; l < laws_.size(); ++l) {
     const NamedLaw& law = laws_[l];
     const std::size_t next = l + 1 < laws_.size() ? first_column_[l + 1] : columns_;
     for (std::size_t s = 0; s < law.scatter.size(); ++s) {
       const ScatteredParameter& parameter = law.scatter[s];
-      const std::uint64_t stream = stream_of(law.name + "." + parameter.name);
       double* column = b.columns[next - law.scatter.size() + s];
       for (std::size_t k = b.begin; k < b.end; ++k) {
         const Index i = b.i[k], j = b.j[k];
         const std::size_t kind =
             b.material && parameter.of_kind.size() > 1 ? kind_of_pair(b.material[i], b.material[j], b.materials) : 0;
         const auto& distribution = parameter.of_kind[kind];
-        const Index low = std::min(b.id[i], b.id[j]), high = std::max(b.id[i], b.id[j]);
         column[k] = distribution && b.state[k] != BondState::unbonded
-                        ? distribution->quantile(uniform(law.seed, stream, low, high)) / distribution->mean
+                        ? drawn(law, parameter, *distribution, b.id[i], b.id[j])
                         : 1.0;
       }
     }

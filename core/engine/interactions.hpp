@@ -16,6 +16,7 @@ namespace breccia {
 struct ScatteredParameter {
   std::string name;
   std::vector<std::optional<Distribution>> of_kind;  ///< by kind of pair; one for all, if one
+  std::string unit = "1";
 };
 
 /// A law and what a user calls it. With several materials there is a kind of pair for each two of them, see
@@ -33,6 +34,10 @@ constexpr std::uint32_t kind_of_pair(std::uint32_t a, std::uint32_t b, std::size
   const std::uint32_t low = a < b ? a : b, high = a < b ? b : a;
   return low * std::uint32_t(materials) + high;
 }
+
+/// What the bond of the two particles of these ids draws, over the distribution's mean: it depends on nothing else.
+double drawn(const NamedLaw& law, const ScatteredParameter& parameter, const Distribution& distribution, Index a,
+             Index b);
 
 /// Gathers the pairs of a batch chunk by chunk, calls each law once for a chunk, and adds the answers to particles and
 /// sums. Each law has its own columns of history, side by side in the order of the list.

@@ -126,15 +126,29 @@ void Simulation::hold(Index a, std::uint8_t mask, const Vec3& velocity, const Ve
     p.holding_arm.resize(p.size(), Vec3::Zero());
     p.holding_arm[a] = arm;
   }
-  // Whoever changes the velocity of a held particle gives it that energy; and the half step before was at the old one.
-  const auto lead = [&](double& now, double to, double inertia, double load) {
-    state_.energy.boundary_work += 0.5 * (inertia * (to * to - now * now) + state_.time_step * load * (to - now));
+  // Whoever changes the velocity of a held particle gives it that energy.
+  const auto lead = [&](double& now, double to, double inertia, int component) {
+    if (to == now) return;
+    state_.energy.boundary_work += 0.5 * inertia * (to * to - now * now);
+    led_.push_back({a, component, to - now});
     now = to;
   };
   for (int k = 0; k < 3; ++k) {
-    if (mask >> k & 1) lead(p.velocity[a][k], velocity[k], p.mass[a], p.force[a][k]);
-    if (mask >> (k + 3) & 1) lead(p.angular_velocity[a][k], angular_velocity[k], p.inertia[a], p.torque[a][k]);
+    if (mask >> k & 1) lead(p.velocity[a][k], velocity[k], p.mass[a], k);
+    if (mask >> (k + 3) & 1) lead(p.angular_velocity[a][k], angular_velocity[k], p.inertia[a], k + 3);
   }
+  if (forces_known_) settle_led();
+}
+
+/// The half step before a particle was led to another velocity was at the old one, against the forces of the present
+/// positions: who leads it before these are known (a protocol does) is charged when they are.
+void Simulation::settle_led() {
+  const Particles& p = state_.particles;
+  for (const Led& l : led_) {
+    const double load = l.component < 3 ? p.force[l.particle][l.component] : p.torque[l.particle][l.component - 3];
+    state_.energy.boundary_work += 0.5 * state_.time_step * load * l.by;
+  }
+  led_.clear();
 }
 
 void Simulation::release(Index a, std::uint8_t mask) {

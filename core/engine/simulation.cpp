@@ -207,6 +207,7 @@ void Simulation::forces(bool to_be_viewed) {
     for (std::size_t t = 0; t < shares; ++t) complete_forces(s, partition_.shares[t], incidence_, loads_);
   }
   record_breaks();
+  settle_led();
   if (s.cell.repeats()) fold_cell_forces();
 }
 

@@ -94,6 +94,7 @@ class Simulation final : public LoadControl {
   void record_breaks();
   void fold_chunk_sums();
   void fold_cell_forces();
+  void settle_led();
   double elastic_energy();
 
   State state_;
@@ -114,6 +115,13 @@ class Simulation final : public LoadControl {
   std::vector<CellForces> chunk_cell_forces_;  ///< of each chunk; none where space does not repeat itself
   std::vector<std::uint8_t> guarded_pairs_;    ///< of `bonds.guarded`, for the present pair list
   ExternalLoads loads_;
+  /// A component of a held particle's velocity (0 to 2) or spin (3 to 5) that was changed.
+  struct Led {
+    Index particle;
+    int component;
+    double by;
+  };
+  std::vector<Led> led_;  ///< before the forces were known
   bool any_applied_ = false, loading_started_ = false, pair_forces_known_ = true, forces_known_ = false;
   std::uint64_t rebuilds_ = 0;
   std::size_t broken_ = 0;  ///< of the bonds

@@ -97,6 +97,11 @@ void check_unbonded(const SimulationView& v, const ChecksConfig& limits, Host& h
 
 // Dense random packings of the shipped workflows stay far from these.
 void ChecksConfig::describe(Schema<ChecksConfig>& s) {
+  s.param("implausible_values", &ChecksConfig::implausible_values)
+      .fallback(true)
+      .doc(
+          "warns of moduli, strengths, densities, velocities and coefficients of friction that are far from any rock "
+          "or test, as when a unit was mistaken; `validate` says it, too");
   s.param("negative_porosity", &ChecksConfig::negative_porosity)
       .fallback(true)
       .doc("warns when the particles have more volume than the specimen, as when diameters are given for radii");
@@ -152,7 +157,7 @@ void ChecksConfig::describe(Schema<ChecksConfig>& s) {
       .fallback(0.2)
       .doc(
           "warns when the unbalanced force ratio (mean resultant on a particle over mean contact force) exceeds this "
-          "between 10 and 90 % of the peak of the load: the test is not quasi-static; very large: never");
+          "while the load rises from 10 to 90 % of its peak: the test is not quasi-static; very large: never");
 }
 
 void check_specimen(const SimulationView& view, double porosity, const ChecksConfig& limits, Host& host) {

@@ -10,6 +10,7 @@ namespace breccia {
 
 /// The section `checks:` of a workflow: from where on it is said. None of them has a part in the test itself.
 struct ChecksConfig {
+  bool implausible_values;  // as they are written: `run/plausible.hpp`
   bool negative_porosity;
   double deep_overlap, wide_gap, bond_share, unbonded_share, stray_growth;  // of the specimen before the first step
   double time_step_ratio;
@@ -25,6 +26,15 @@ void check_specimen(const SimulationView& view, double porosity, const ChecksCon
 /// Warns of one particle (or a few) that makes the time step of all others much shorter; after `prepare()`.
 void check_time_step(Simulation& simulation, const ChecksConfig& limits, Host& host);
 
+/// A row of the curves: the protocol's load and the unbalanced force ratio.
+struct LoadedRow {
+  double load, unbalanced;
+};
+
+/// The largest unbalanced force ratio between 10 and 90 % of the peak while the load rises. What follows a drop, when
+/// some bonds have failed before the peak, is the motion that this sets free and no sign of too fast a test.
+double unbalanced_on_the_rise(const std::vector<LoadedRow>& rows, double peak);
+
 /// What shows only while the specimen is loaded; sees every row, and warns of each kind once.
 class LoadingChecks {
  public:
@@ -39,11 +49,8 @@ class LoadingChecks {
   void look_for_speed(Simulation& simulation, Host& host);
   void look_for_overlaps(const State& state);
 
-  struct Row {
-    double load, unbalanced;
-  };
   ChecksConfig limits_;
-  std::vector<Row> rows_;
+  std::vector<LoadedRow> rows_;
   std::vector<double> wall_overlap_;          ///< deepest of each wall, over the particle's radius
   double pair_overlap_ = 0, pair_mean_ = 0;   ///< deepest over the sum of the radii, and the mean in that row
   double wave_speed_ = -1, walls_speed_ = 0;  ///< [m/s]; below zero: not known yet

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/columns.hpp"
 
+#include "config/places.hpp"
 #include "engine/simulation.hpp"
 #include "plugin/guarded.hpp"
 #include "run/contact_laws.hpp"
@@ -9,21 +10,31 @@ namespace breccia {
 namespace {
 
 void check_needed(std::vector<Listed<Postprocessor>>& postprocessors, const CurveTable& curves) {
-  for (auto& p : postprocessors)
+  for (std::size_t k = 0; k < postprocessors.size(); ++k) {
+    auto& p = postprocessors[k];
     for (const std::string& name :
          p.call("naming the curves it needs", [](Postprocessor& q) { return q.needed_curves(); }))
       try {
         (void)NamedCurves(curves, p.prefix()).column(name);
-      } catch (const UserError& e) { throw UserError("postprocessor " + p.label() + ": " + e.what()); }
+      } catch (const UserError& e) {
+        throw AtPath("postprocessors[" + std::to_string(k) + "]", "postprocessor " + p.label() + ": " + e.what());
+      }
+  }
 }
 
 std::size_t set_up(const SimulationView& view, LoadControl& control, Protocol& protocol, const PluginId& protocol_id,
                    std::vector<Listed<Postprocessor>>& postprocessors, CurveTable& curves, Host& host) {
   const std::size_t time = curves.add({"time", "s", "since the first step"});
-  calling(protocol_id, "setting up the test", [&] { protocol.setup(view, control, curves, host); });
+  try {
+    calling(protocol_id, "setting up the test", [&] { protocol.setup(view, control, curves, host); });
+  } catch (const PluginFault& e) { throw AtPath("protocol", e.what()); }
   for (auto& p : postprocessors) {
     NamedRecorder recorder(curves, p.prefix());
-    p.call("adding its curves", [&](Postprocessor& q) { q.begin(view, recorder, host); });
+    try {
+      p.call("adding its curves", [&](Postprocessor& q) { q.begin(view, recorder, host); });
+    } catch (const PluginFault& e) {
+      throw AtPath("postprocessors[" + std::to_string(&p - postprocessors.data()) + "]", e.what());
+    }
   }
   return time;
 }

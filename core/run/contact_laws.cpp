@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "config/distribution_spec.hpp"
+#include "config/places.hpp"
 #include "run/listed.hpp"
 
 namespace breccia {
@@ -10,31 +12,42 @@ namespace {
 
 /// Of a value in its written form, checked: `check_distribution`.
 Distribution distribution_of(const Json& j, const ParamSpec& parameter) {
+  const DistributionConfig c = load_distribution(j);
   Distribution d;
-  const std::string shape = j.at("distribution");
-  d.shape = shape == "weibull"     ? Distribution::Shape::weibull
-            : shape == "lognormal" ? Distribution::Shape::lognormal
-            : shape == "uniform"   ? Distribution::Shape::uniform
-                                   : Distribution::Shape::normal;
-  d.mean = j.at("mean");
-  if (j.contains("modulus")) d.modulus = j["modulus"];
-  if (j.contains("standard_deviation")) d.deviation = j["standard_deviation"];
-  if (j.contains("coefficient_of_variation")) d.deviation = j["coefficient_of_variation"].get<double>() * d.mean;
+  switch (c.shape) {
+    case DistributionShape::normal:
+      d.shape = Distribution::Shape::normal;
+      break;
+    case DistributionShape::lognormal:
+      d.shape = Distribution::Shape::lognormal;
+      break;
+    case DistributionShape::weibull:
+      d.shape = Distribution::Shape::weibull;
+      break;
+    case DistributionShape::uniform:
+      d.shape = Distribution::Shape::uniform;
+      break;
+  }
+  d.mean = c.mean;
+  d.modulus = c.modulus.value_or(0);
+  d.deviation = c.standard_deviation.value_or(c.coefficient_of_variation.value_or(0) * c.mean);
   if (parameter.lower) d.lower = parameter.lower->value;
   if (parameter.upper) d.upper = parameter.upper->value;
-  if (j.contains("min")) d.lower = j["min"].get<double>();
-  if (j.contains("max")) d.upper = j["max"].get<double>();
+  if (c.min) d.lower = c.min;
+  if (c.max) d.upper = c.max;
   return d;
 }
 
-std::optional<Distribution> scatter_of(const Json& config, const ParamSpec& parameter, const std::string& law) {
+/// `section`: the path of what `config` was written as.
+std::optional<Distribution> scatter_of(const Json& config, const ParamSpec& parameter, const std::string& section) {
   const auto value = config.find(parameter.name);
   if (value == config.end() || !value->is_object()) return std::nullopt;
   const Distribution d = distribution_of(*value, parameter);
   // Few draws would be left of what is cut away; and what is left would have another mean by far.
-  if (d.share_within() < 0.5)
-    throw UserError("contact_law " + law + ": " + parameter.name +
-                    ": more than half of the distribution lies outside of what it may be; make it narrower");
+  if (d.share_within() < 0.5) {
+    const std::string path = section + "." + parameter.name;
+    throw AtPath(path, path + ": more than half of the distribution lies outside of what it may be; make it narrower");
+  }
   return d;
 }
 
@@ -58,33 +71,42 @@ ContactLaws::ContactLaws(const Registry& registry, const PluginStack& choices, c
                                       [&](const Material& m) { return m.name == name.get<std::string>(); }) -
                          materials.begin());
   };
-  for (const PluginChoice& choice : choices.plugins) {
+  for (std::size_t l = 0; l < choices.plugins.size(); ++l) {
+    const PluginChoice& choice = choices.plugins[l];
+    const std::string section = choices.plugins.size() == 1 ? "contact_law" : "contact_law[" + std::to_string(l) + "]";
     PluginChoice whole = choice;
     whole.config.erase("between");
     NamedLaw named{make(whole), result_label(choice)};
     named.seed = seed;
     std::vector<Json> config_of_kind(1, whole.config);
+    std::vector<std::string> section_of_kind(1, section);
     if (choice.config.contains("between") && n > 1) {
       named.of_kind.assign(n * n, named.law);
       config_of_kind.assign(n * n, whole.config);
-      for (const Json& item : choice.config["between"]) {
+      section_of_kind.assign(n * n, section);
+      for (std::size_t k = 0; k < choice.config["between"].size(); ++k) {
+        const Json& item = choice.config["between"][k];
         Json own = item;
         own.erase("materials");
         const std::uint32_t a = number(item["materials"][0]), b = number(item["materials"][1]);
         named.of_kind[kind_of_pair(a, b, n)] = make({choice.type, own});
         config_of_kind[kind_of_pair(a, b, n)] = own;
+        section_of_kind[kind_of_pair(a, b, n)] = section + ".between[" + std::to_string(k) + "]";
       }
     }
     for (const ParamSpec& parameter : registry.documentation(ContactLaw::kind, choice.type).root.members) {
       if (!parameter.per_bond) continue;
-      ScatteredParameter scattered{parameter.name, {}};
-      for (const Json& config : config_of_kind) scattered.of_kind.push_back(scatter_of(config, parameter, choice.type));
+      ScatteredParameter scattered{parameter.name, {}, parameter.unit};
+      for (std::size_t k = 0; k < config_of_kind.size(); ++k)
+        scattered.of_kind.push_back(scatter_of(config_of_kind[k], parameter, section_of_kind[k]));
       if (std::any_of(scattered.of_kind.begin(), scattered.of_kind.end(), [](const auto& d) { return d.has_value(); }))
         named.scatter.push_back(std::move(scattered));
     }
     named_.push_back(std::move(named));
   }
-  (void)interactions();  // what it refuses is said here
+  try {
+    (void)interactions();  // what it refuses is said here
+  } catch (const UserError& e) { throw AtPath("contact_law", e.what()); }
 }
 
 Interactions ContactLaws::interactions() const { return Interactions(named_); }

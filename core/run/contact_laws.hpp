@@ -23,6 +23,7 @@ class ContactLaws {
 
   Interactions interactions() const;  ///< for as long as this lives
   ContactLaw& law(std::size_t k) const { return *named_[k].law; }
+  const NamedLaw& named(std::size_t k) const { return named_[k]; }
   const std::string& name(std::size_t law) const { return named_[law].name; }
   std::size_t size() const { return named_.size(); }
 

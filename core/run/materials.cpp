@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "config/places.hpp"
 #include "engine/counter_random.hpp"
 
 namespace breccia {
@@ -72,7 +73,8 @@ std::vector<Index> voronoi_cells(const PackedParticles& p, const Space& space, d
   const double volume = extent.x() * extent.y() * (flat ? 1.0 : extent.z());
   constexpr double most = 100;  // grains a particle: each particle is its own grain long before
   if (volume / cell_volume > most * double(p.position.size()))
-    throw UserError(
+    throw AtPath(
+        "material_of.grains.size",
         "material_of.grains.size: the grains would be far smaller than the particles: is its unit right? Particle by "
         "particle: `shares`");
   const Index points = Index(std::max(1.0, std::round(volume / cell_volume)));
@@ -146,8 +148,9 @@ std::vector<std::uint8_t> by_column(const ColumnConfig& way, const std::vector<M
   if (column == p.columns.end()) {
     std::string known;
     for (const auto& c : p.columns) known += (known.empty() ? "`" : ", `") + c.first + "`";
-    throw UserError("material_of.column.name: the packing has no column `" + way.name + "`; " +
-                    (known.empty() ? "it has none but positions and radii" : "it has " + known));
+    throw AtPath("material_of.column.name",
+                 "material_of.column.name: the packing has no column `" + way.name + "`; " +
+                     (known.empty() ? "it has none but positions and radii" : "it has " + known));
   }
   std::vector<std::uint8_t> of;
   for (std::size_t k = 0; k < column->second.size(); ++k) {
@@ -157,8 +160,9 @@ std::vector<std::uint8_t> by_column(const ColumnConfig& way, const std::vector<M
     if (at == way.values.end()) {
       char text[32];
       std::snprintf(text, sizeof text, "%.10g", value);
-      throw UserError("material_of.column.values: none is " + std::string(text) + ", which column `" + way.name +
-                      "` has for particle " + std::to_string(k));
+      throw AtPath("material_of.column.values", "material_of.column.values: none is " + std::string(text) +
+                                                    ", which column `" + way.name + "` has for particle " +
+                                                    std::to_string(k));
     }
     of.push_back(number_of(at->first, materials));
   }

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "breccia/text_file.hpp"
+#include "config/places.hpp"
 #include "output/atomic_file.hpp"
 #include "plugin/guarded.hpp"
 #include "plugin/sha256.hpp"
@@ -172,18 +173,18 @@ fs::path default_cache_folder() {
   return {};
 }
 
-std::string why_not(const Packing& packing, const std::string& type, const PackingRequest& request) {
+void refuse_what_cannot_be(const Packing& packing, const std::string& type, const PackingRequest& request) {
   const std::string why =
       calling({Packing::kind, type}, "looking at what is asked for", [&] { return packing.why_not(request); });
-  if (why.empty() && request.repeats() && !packing.can_repeat())
-    return "packing " + type + ": it cannot fill a space that repeats itself (`periodic`)";
-  return why.empty() ? why : "packing " + type + ": " + why;
+  if (!why.empty()) throw AtPath("packing", "packing " + type + ": " + why);
+  if (request.repeats() && !packing.can_repeat())
+    throw AtPath("packing", "packing " + type + ": it cannot fill a space that repeats itself (`periodic`)");
 }
 
 PackingOutcome obtain_packing(const Registry& registry, const PluginChoice& choice, const PackingRequest& request,
                               const fs::path& cache_folder, Host& host) {
   const auto packing = registry.create<Packing>(choice);
-  if (const std::string why = why_not(*packing, choice.type, request); !why.empty()) throw UserError(why);
+  refuse_what_cannot_be(*packing, choice.type, request);
   Json key = {{"plugin", registry.info(Packing::kind, choice.type).sha256},
               {"type", choice.type},
               {"config", choice.config},

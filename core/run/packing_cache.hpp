@@ -18,8 +18,8 @@ struct PackingOutcome {
   std::string hash;  ///< content hash of the particles (centres and radii)
 };
 
-/// Why that packing cannot make what is asked for, for people; empty when it can.
-std::string why_not(const Packing& packing, const std::string& type, const PackingRequest& request);
+/// AtPath when that packing cannot make what is asked for.
+void refuse_what_cannot_be(const Packing& packing, const std::string& type, const PackingRequest& request);
 
 /// The packing that the workflow asks for. The cache key covers the plugin's file, its configuration, its input files,
 /// the seed and the dimension. A cache that cannot be read or written is a warning, never a failure.

@@ -26,6 +26,7 @@
 #include "run/loading.hpp"
 #include "run/packing_cache.hpp"
 #include "run/render.hpp"
+#include "run/scatter_summary.hpp"
 #include "run/warning_log.hpp"
 
 namespace breccia {
@@ -44,12 +45,21 @@ class RunLog final : public WarningLog<RunMonitor> {
 class Run {
  public:
   Run(const LoadedWorkflow& loaded, const Registry& registry, const RunOptions& options, RunMonitor& monitor)
-      : w_(loaded.workflow), config_(loaded.config), registry_(registry), options_(options), monitor_(monitor) {}
+      : w_(loaded.workflow),
+        config_(loaded.config),
+        places_(loaded.places),
+        doubts_(loaded.warnings),
+        registry_(registry),
+        options_(options),
+        monitor_(monitor) {}
 
   RunOutcome operator()() {
     const auto start = Clock::now();
-    create_plugins();
-    build();
+    for (const std::string& doubt : doubts_) monitor_.warn(doubt);
+    places_.placing([&] {
+      create_plugins();
+      build();
+    });
     write_resolved();
     loop();
     finish();
@@ -93,6 +103,10 @@ class Run {
         "{} bonds: coordination number {:.4f}, {}", simulation_->state().bonds.size(), bonding_.coordination_number,
         relative ? fmt::format("tolerance {:.4f}", bonding_.limit) : fmt::format("gap {:.4g} m", bonding_.limit)));
     const SimulationView view = simulation_->view();
+    for (std::size_t l = 0; l < laws_->size(); ++l) {
+      drawn_.push_back(drawn_parameters(laws_->named(l), view));
+      for (const DrawnParameter& drawn : drawn_.back()) monitor_.info("  " + drawn.text());
+    }
     check_specimen(view, packing_porosity(), w_.checks, monitor_);
     laws_->within(
         [&] { time_column_ = add_columns(view, *simulation_, *protocol_, protocol_id(), posts_, curves_, monitor_); });
@@ -305,6 +319,9 @@ class Run {
     for (std::size_t l = 0; l < laws_->size(); ++l) {
       SummaryTable::Section section(summary_, laws_->name(l));
       for (auto& [name, value] : laws_->law(l).derived()) section.own(name, std::move(value));
+      Json scatter = Json::array();
+      for (const DrawnParameter& drawn : drawn_[l]) scatter.push_back(drawn.json());
+      if (!scatter.empty()) section.own("scatter", scatter);
       if (laws_->size() == 1) continue;  // of one law the ledger says the same
       const Dissipated& lost = simulation_->state().dissipated[l];
       section.own({"friction", "J"}, lost.friction);
@@ -356,6 +373,8 @@ class Run {
 
   const Workflow& w_;
   Json config_;
+  const Places& places_;
+  const std::vector<std::string>& doubts_;
   const Registry& registry_;
   const RunOptions& options_;
   RunLog monitor_;
@@ -365,6 +384,7 @@ class Run {
   std::unique_ptr<Frames> frames_;
   PackingOutcome packing_;
   BondingResult bonding_;
+  std::vector<std::vector<DrawnParameter>> drawn_;  ///< law by law
   std::unique_ptr<Simulation> simulation_;
   CurveTable curves_;
   SummaryTable summary_;

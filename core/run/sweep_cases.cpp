@@ -253,6 +253,9 @@ SweepPlan plan(const Sweep& sweep) {
   for (const SweepCase& c : sweep.cases()) {
     try {
       ResolvedCase resolved = sweep.resolve(c);
+      for (const std::string& doubt : resolved.loaded.warnings)
+        if (std::find(plan.warnings.begin(), plan.warnings.end(), doubt) == plan.warnings.end())
+          plan.warnings.push_back(doubt);
       if (plan.input_units.empty()) plan.input_units = resolved.units;
       for (std::size_t k = 0; k < parameters.size(); ++k)
         if (plan.input_units[k] != resolved.units[k])

@@ -62,6 +62,7 @@ struct PlannedCase {
 struct SweepPlan {
   std::vector<std::string> input_units;  ///< of each parameter
   std::vector<PlannedCase> cases;
+  std::vector<std::string> warnings = {};  ///< of values that are most likely slips, each once
 };
 
 /// Resolves all cases. UserError with all problems of all cases, each once.

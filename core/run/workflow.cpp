@@ -18,6 +18,7 @@
 #include "run/columns.hpp"
 #include "run/contact_laws.hpp"
 #include "run/packing_cache.hpp"
+#include "run/plausible.hpp"
 #include "run/plugin_section.hpp"
 
 namespace breccia {
@@ -310,9 +311,8 @@ void try_plugins(const Workflow& w, const Registry& registry) {
   for (const fs::path& input :
        calling({Packing::kind, w.packing.type}, "naming its files", [&] { return packing->inputs(); }))
     if (!fs::is_regular_file(input))
-      throw UserError("packing " + w.packing.type + ": cannot read " + input.string() + ": no such file");
-  if (const std::string why = why_not(*packing, w.packing.type, w.packing_request()); !why.empty())
-    throw UserError(why);
+      throw AtPath("packing.file", "packing " + w.packing.type + ": cannot read " + input.string() + ": no such file");
+  refuse_what_cannot_be(*packing, w.packing.type, w.packing_request());
   ContactLaws(registry, w.contact_law, w.material_list(), std::uint64_t(w.seed));
   registry.create<Protocol>(w.protocol);
   for (const PluginChoice& c : w.postprocessors) registry.create<Postprocessor>(c);
@@ -342,7 +342,7 @@ void check_name(const std::string& name, const BaseChain& chain, const std::vect
   throw ConfigError({problem});
 }
 
-LoadedWorkflow loaded_from(Json config, const BaseChain& chain, const Registry& registry,
+LoadedWorkflow loaded_from(Json config, Places places, const BaseChain& chain, const Registry& registry,
                            const std::vector<std::string>& overrides = {}, const std::string& variant = {}) {
   const fs::path file = chain.files[0].name;
   LoadedWorkflow loaded;
@@ -354,7 +354,11 @@ LoadedWorkflow loaded_from(Json config, const BaseChain& chain, const Registry& 
   Schema<Workflow> schema;
   Workflow::describe(schema);
   loaded.workflow = schema.load(loaded.config);
-  try_plugins(loaded.workflow, registry);
+  loaded.places = std::move(places);
+  loaded.places.placing([&] { try_plugins(loaded.workflow, registry); });
+  if (loaded.workflow.checks.implausible_values)
+    for (const auto& [path, text] : implausible_values(loaded.config, workflow_schema(), registry))
+      loaded.warnings.push_back(loaded.places.with_place(path, text));
   return loaded;
 }
 
@@ -381,13 +385,15 @@ LoadedWorkflow load_workflow(const fs::path& file, const std::vector<std::string
                              const std::string& variant) {
   const BaseChain chain = not_a_study(follow_bases(read_text(file), file.string()), file);
   for (const fs::path& path : plugin_paths(chain, overrides, variant)) registry.add(path);
-  return loaded_from(read_config(chain, workflow_schema(), registry, overrides, rules, variant), chain, registry,
-                     overrides, variant);
+  Places places;
+  Json config = read_config(chain, workflow_schema(), registry, overrides, rules, variant, &places);
+  return loaded_from(std::move(config), std::move(places), chain, registry, overrides, variant);
 }
 
 LoadedWorkflow load_workflow(const BaseChain& chain, const ValuesOnTop& on_top, const Registry& registry) {
-  return loaded_from(read_config(chain, workflow_schema(), registry, on_top, rules), chain, registry, {},
-                     on_top.variant);
+  Places places;
+  Json config = read_config(chain, workflow_schema(), registry, on_top, rules, &places);
+  return loaded_from(std::move(config), std::move(places), chain, registry, {}, on_top.variant);
 }
 
 }  // namespace breccia

@@ -6,6 +6,7 @@
 
 #include "breccia/schema.hpp"
 #include "config/base_chain.hpp"
+#include "config/places.hpp"
 #include "engine/bonding.hpp"
 #include "engine/simulation.hpp"
 #include "plugin/registry.hpp"
@@ -75,6 +76,8 @@ struct Workflow {
 struct LoadedWorkflow {
   Workflow workflow;
   Json config;
+  Places places = {};                      ///< of the values in their files
+  std::vector<std::string> warnings = {};  ///< of values that are most likely slips, with their places
 };
 
 const ParamSpec& workflow_schema();

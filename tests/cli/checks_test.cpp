@@ -76,10 +76,57 @@ TEST_F(Checks, ACurveThatNobodyAddsIsMissedBeforeThePackingIsMade) {
   const Result r = call("validate w.yaml" + wanted);
   EXPECT_EQ(r.code, 2) << r.text;
   EXPECT_TRUE(has(r.text,
-                  "postprocessor elastic_constants: there is no curve `axial_strian`; the curves of this "
+                  "--set:1:33: postprocessor elastic_constants: there is no curve `axial_strian`; the curves of this "
                   "workflow are"))
       << r.text;
   EXPECT_EQ(call("validate w.yaml").code, 0);
+}
+
+TEST_F(Checks, ValuesFarFromAnyRockOrTestAreDoubtedWithTheirPlace) {
+  lattice();
+  const auto doubts = [&](const std::string& settings) {
+    const Result r = call("validate w.yaml " + settings);
+    EXPECT_EQ(r.code, 0) << r.text;
+    return has(r.text, "warning: ") ? r.text : std::string();
+  };
+  EXPECT_EQ(doubts(""), "");
+  // Unbreakable bonds, rough walls, dense powders and slow tests are nobody's slip.
+  EXPECT_EQ(doubts("--set contact_law.tensile_strength='1e15 Pa' --set contact_law.friction=0 --set "
+                   "material.density='20 t/m3' --set protocol.platen_velocity='1 um/s'"),
+            "");
+  const std::string path = "w.yaml:4:";
+  write("w.yaml", std::regex_replace(std::string(workflow), std::regex("10 GPa"), "13.2 Pa"));
+  const std::string modulus = doubts("");
+  EXPECT_TRUE(has(modulus, path) && has(modulus, "contact_law.bond_modulus: 13.2 Pa is not plausible for a modulus"))
+      << modulus;
+  lattice();
+  EXPECT_TRUE(has(doubts("--set contact_law.bond_modulus='1e20 Pa'"), "--set:1:26: contact_law.bond_modulus: 1e20 Pa"));
+  EXPECT_TRUE(
+      has(doubts("--set material.density='2.65 kg/m3'"), "2.65 kg/m3 is not plausible for a density (50 kg/m3"));
+  EXPECT_TRUE(has(doubts("--set contact_law.friction=50"), "50 is not plausible for a coefficient of friction"));
+  EXPECT_TRUE(has(doubts("--set protocol.platen_velocity='1 km/s'"), "is not plausible for a velocity"));
+  EXPECT_TRUE(has(doubts("--set contact_law.tensile_strength='{mean: 40 Pa, distribution: weibull, modulus: 8}'"),
+                  "contact_law.tensile_strength.mean: 40 Pa is not plausible for a strength"));
+  write("study.yaml", "workflow: w.yaml\ngrid: {contact_law.friction: [0.5, 50, 60]}\n");
+  const std::string study = call("validate study.yaml").text;
+  EXPECT_TRUE(has(study, "study.yaml:2:36: contact_law.friction: 50 is not") && has(study, "60 is not plausible"))
+      << study;
+  EXPECT_FALSE(has(study, "0.5 is not"));
+  EXPECT_EQ(doubts("--set contact_law.friction=50 --set checks.implausible_values=false"), "");
+  EXPECT_TRUE(has(warnings("--set contact_law.friction=50"), "coefficient of friction"));  // in log and summary, too
+}
+
+TEST_F(Checks, WhatIsFoundWhileATestIsSetUpHasItsPlace) {
+  lattice();
+  const auto refused = [&](const std::string& command, const std::string& why) {
+    const Result r = call(command);
+    EXPECT_EQ(r.code, 2) << r.text;
+    EXPECT_TRUE(has(r.text, why)) << why << "\n" << r.text;
+  };
+  const std::string brazilian = " --set 'protocol={type: brazilian, platen_velocity: 0.1 m/s}'";
+  refused("run w.yaml --output out" + brazilian, "--set:1:10: protocol brazilian: the specimen must be a cylinder");
+  fs::remove(folder_ / "p.csv");
+  refused("validate w.yaml", "w.yaml:1:34: packing from_file: cannot read ");
 }
 
 TEST_F(Checks, AStepThatTakesThePlatensThroughTheSpecimenIsRefused) {

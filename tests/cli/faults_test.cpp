@@ -83,7 +83,7 @@ TEST_F(Faults, WhateverIsThrown) {
   };
   const std::string who = "postprocessor `faulty`", failed = who + " failed while adding its curves: ";
   expect_named(set("user"), who + ": the dial is stuck");
-  expect_named(set("named"), "\nthe dial of `faulty` is stuck");
+  expect_named(set("named"), "\n--set:1:17: the dial of `faulty` is stuck");
   expect_named(set("unavailable"), who + ": no dial on this machine");
   expect_named(set("number"), failed + "it threw something that is not an exception");
   expect_named(set("memory"), failed + "there is not enough memory");

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Materials, parameters by pair of materials and scatter, as a user writes them.
+#include <cmath>
+
 #include "program.hpp"
 
 namespace breccia::testing {
@@ -120,14 +122,48 @@ TEST_F(MaterialsInWorkflows, NamesAndSharesAreChecked) {
   const Result r = call("run w.yaml --output out " + right +
                         "--set material_of='{column: {name: mineral, values: {quartz: 1, feldspar: 2}}}'");
   EXPECT_EQ(r.code, 2);
-  EXPECT_TRUE(has(r.text, "material_of.column.name: the packing has no column `mineral`")) << r.text;
+  EXPECT_TRUE(has(r.text, "--set:2:29: material_of.column.name: the packing has no column `mineral`")) << r.text;
+}
+
+TEST_F(MaterialsInWorkflows, WhatScattersIsReportedAskedAndGot) {
+  write("w.yaml",
+        std::string(head) + law + "  between: [{materials: [quartz, feldspar], tensile_strength: 20 MPa}]\n" + two);
+  const std::string weibull = "--set contact_law.tensile_strength='{mean: 40 MPa, distribution: weibull, modulus: 8}' ";
+  const std::string uniform =
+      "--set contact_law.shear_strength='{mean: 30 MPa, distribution: uniform, coefficient_of_variation: 0.2}' ";
+  const Json s = run("w.yaml " + weibull + uniform);
+  if (HasFailure()) return;
+  const Json& scatter = s["elastic_brittle"]["scatter"];
+  // Tensile strength where it scatters: between like and like; shear strength everywhere, kind by kind.
+  ASSERT_EQ(scatter.size(), 5u) << scatter;
+  std::size_t tensile = 0, shear = 0;
+  for (const Json& one : scatter) {
+    const bool in_tension = one["parameter"] == "tensile_strength";
+    const std::size_t bonds = one["bonds"];
+    (in_tension ? tensile : shear) += bonds;
+    EXPECT_EQ(one["unit"], "Pa");
+    EXPECT_EQ(one["materials"].size(), 2u);
+    if (in_tension) { EXPECT_EQ(one["materials"][0], one["materials"][1]); }
+    const double mean = in_tension ? 40e6 : 30e6, deviation = (in_tension ? 0.14837 : 0.2) * mean;
+    EXPECT_EQ(one["mean"]["asked"].get<double>(), mean);
+    EXPECT_NEAR(one["standard_deviation"]["asked"].get<double>(), deviation, 1e-4 * mean);
+    EXPECT_NEAR(one["mean"]["got"].get<double>(), mean, 5 * deviation / std::sqrt(double(bonds)));
+    EXPECT_NEAR(one["standard_deviation"]["got"].get<double>(), deviation, 5 * deviation / std::sqrt(double(bonds)));
+    EXPECT_NE(one["mean"]["got"], one["mean"]["asked"]);
+  }
+  EXPECT_EQ(shear, s["bonds"]);
+  EXPECT_LT(tensile, shear);
+  const std::string log = content(folder_ / "out/run.log");
+  EXPECT_TRUE(has(log, "shear_strength of ") && has(log, "mean asked 3e+07, got ")) << log;
+  EXPECT_FALSE(run("w.yaml")["elastic_brittle"].contains("scatter"));
 }
 
 TEST_F(MaterialsInWorkflows, ValidateKnowsWhatAPackingCannotDo) {
   write("w.yaml", std::string(head) + law + "material: {density: 2650 kg/m3}\n");
   const Result r = call("validate w.yaml --set dimension=2");
   EXPECT_EQ(r.code, 2) << r.text;
-  EXPECT_TRUE(has(r.text, "packing regular: in two dimensions the lattice is square or hexagonal")) << r.text;
+  EXPECT_TRUE(has(r.text, "w.yaml:1:10: packing regular: in two dimensions the lattice is square or hexagonal"))
+      << r.text;
 }
 
 }  // namespace

@@ -147,7 +147,7 @@ TEST_F(SweepStudy, PathsAndValuesAreCheckedBeforeTheFirstCaseAndNamedInTheStudy)
   expect_refused("workflow: broken.yaml\ngrid: {seed: [1, 2]}\n",
                  "broken.yaml:9:1: samplng: is not a known parameter; did you mean `sampling`?\n");
   expect_refused("workflow: small.yaml\ngrid: {packing.file: [small.csv, missing.csv]}\n",
-                 "packing from_file: cannot read " + (folder_ / "missing.csv").string() +
+                 "study.yaml:2:34: packing from_file: cannot read " + (folder_ / "missing.csv").string() +
                      ": no such file (in case file=missing.csv)\n");
   expect_refused("workflow: small.yaml\ngrid: {contact_law.bond_modulus: [1 GPa, 1000 MPa]}\n",
                  "case 2 is the same as case 1 (in case bond_modulus=1000_MPa)\n");

@@ -140,16 +140,13 @@ struct ElasticBrittle {
     f.shear_y = ks * s.spring_y;
     f.shear_z = ks * s.spring_z;
     f.breaks = tension ? double(BondState::broken_tension) : shear ? double(BondState::broken_shear) : 0.0;
-    // Stored before minus stored after. What a bond loses in the step it breaks is fracture energy. It breaks somewhere
-    // within the step; leapfrog's own work, the mean of the forces at both ends, has it half-way: no more is stored by
-    // then.
-    const double lost_shear = 0.5 * ks * spring * spring * (1 - keep * keep);
+    // What a bond loses in the step it breaks is fracture energy: stored before minus stored after, less the work that
+    // the force it lost did not do in that step any more, as leapfrog has it (the way times the mean of the forces).
     const double free_stored = 0.5 * pressed * (c.distance - free_length(c));
     const double bonded_stored = 0.5 * bonded_normal * (c.distance - c.rest_length);
-    const double not_done = 0.5 * ((bonded_normal - pressed) * c.normal_velocity * c.time_step +
-                                   ks * (1 - keep) * (ux * c.shear_x + uy * c.shear_y + uz * c.shear_z));
+    const double not_done = 0.5 * (bonded_normal - pressed) * c.normal_velocity * c.time_step;
     const bool broke = tension | shear;
-    f.fracture_energy = broke ? lost_shear + bonded_stored - free_stored - not_done : 0.0;
+    f.fracture_energy = broke ? slip.work + bonded_stored - free_stored - not_done : 0.0;
     f.friction_work = broke ? 0.0 : slip.work;
     return f;
   }

@@ -108,16 +108,15 @@ struct Law {
     f.moment_y = km * s.bending_y + twisting * c.ny;
     f.moment_z = km * s.bending_z + twisting * c.nz;
     f.breaks = tension ? double(BondState::broken_tension) : sheared ? double(BondState::broken_shear) : 0.0;
-    // What the bond stored, less what the bare contact goes on storing. It breaks somewhere within the step; leapfrog's
-    // own work, the mean of the forces at both ends, has it half-way: no more is stored by then.
+    // What the bond stored, less what the bare contact goes on storing; and less the work that the force and moment it
+    // lost did not do in this step any more, as leapfrog has it (the way times the mean of before and after).
     const double stretch = strain > 0 ? scale * (strain + scale * fall) : 0.5 * strain * strain;
     const double left = 0.5 * kn * c.free_length() * pressed * pressed;
-    const double lost_shear = 0.5 * ks * shear * shear * (1 - keep * keep);
-    const double lost = c.rest_length * (kn * stretch + lost_shear) - left + 0.5 * (km * bending2 + kt * twist * twist);
-    const double not_done = 0.5 * (kn * (bonded - pressed) * c.normal_velocity * c.time_step +
-                                   ks * (1 - keep) * (sx * c.shear_x + sy * c.shear_y + sz * c.shear_z) +
-                                   km * (bx * c.turn_x + by * c.turn_y + bz * c.turn_z) + kt * twist * turned);
-    f.fracture_energy = broke ? lost - not_done : 0.0;
+    const double not_done = 0.5 * kn * (bonded - pressed) * c.normal_velocity * c.time_step;
+    const double bent_over = bent.x * bx + bent.y * by + bent.z * bz;
+    const double lost = c.rest_length * (kn * stretch + slip.work) - left - not_done +
+                        0.5 * (km * bent_over + kt * (twist - turned) * twist);
+    f.fracture_energy = broke ? lost : 0.0;
     f.friction_work = broke ? 0.0 : c.rest_length * slip.work;  // springs are strains here
     return f;
   }
