@@ -2,7 +2,7 @@
 // What is said of input that is almost surely wrong, and of a test that shows it; with the limits of `checks:`.
 #include <regex>
 
-#include "program.hpp"
+#include "small_specimen.hpp"
 
 namespace breccia::testing {
 namespace {
@@ -230,6 +230,22 @@ TEST_F(Checks, EnergyThatDoesNotCloseWarnsThenEndsTheRun) {
   EXPECT_TRUE(has(s["warnings"].dump(), "the run ends here")) << s["warnings"];
   const std::string curves = content(at / "curves.csv");
   EXPECT_GE(std::count(curves.begin(), curves.end(), '\n'), 2) << curves;
+}
+
+class Stages : public SmallSpecimen {};
+
+/// The platens go on closing, and no target in stress comes any more.
+TEST_F(Stages, ATargetThatTheSpecimenFailsBeforeIsSaid) {
+  write_small();
+  const Result r = call(
+      "run small.yaml --output out --threads 1 --set 'protocol.stages=[{axial_stress: 5 MPa}, {axial_stress: 3 GPa}]' "
+      "--set protocol.max_strain=5%");
+  EXPECT_EQ(r.code, 0) << r.text;
+  EXPECT_TRUE(has(r.text, "stage 2 of 2 (axial_stress 3e+09) was not reached: the specimen has failed")) << r.text;
+  const Json s = summary("out");
+  EXPECT_EQ(s["uniaxial_compression"]["stopped_by"], "stress drop");
+  EXPECT_EQ(s["uniaxial_compression"]["stages"].size(), 1u);
+  EXPECT_EQ(s["warnings"].size(), 1u) << s["warnings"];
 }
 
 }  // namespace

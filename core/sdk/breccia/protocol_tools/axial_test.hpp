@@ -84,6 +84,7 @@ class AxialTest : public Protocol {
                      deviator < c_.stop_stress_ratio * s_.peak;
     s_.failed = s_.drop.lasts(low, control.time(), 0.1 * travel_);
     s_.out_of_reach = staged && out_of_reach(mean);
+    if (s_.failed && staged && !s_.out_of_reach && in_stress(stages_[s_.stage])) say_missed("the specimen has failed");
     return s_.failed || s_.out_of_reach || !staged ? Progress::finished : Progress::running;
   }
 
@@ -205,15 +206,20 @@ class AxialTest : public Protocol {
   /// A target in stress beyond what the specimen carries, or below none at all, would never come; says so.
   bool out_of_reach(double mean_force) {
     const Stage& now = stages_[s_.stage];
-    const bool in_stress = now.axial_stress || now.deviatoric_stress, closes = s_.sense > 0 && !now.hold_time;
-    const bool apart = in_stress && s_.sense < 0 && mean_force <= 0, strained = closes && s_.strain > strain_limit();
+    const bool closes = s_.sense > 0 && !now.hold_time;
+    const bool apart = in_stress(now) && s_.sense < 0 && mean_force <= 0,
+               strained = closes && s_.strain > strain_limit();
     if (!apart && !strained) return false;
-    host_->warn("protocol: stage " + std::to_string(s_.stage + 1) + " of " + std::to_string(stages_.size()) + " (" +
-                now.text() + ") was not reached: " +
-                (apart ? "the platens have come off the specimen, which they cannot pull"
-                       : "the platen strain has passed " + number(100 * strain_limit()) + " % (max_strain)") +
-                "; the test ends here");
+    say_missed(apart ? "the platens have come off the specimen, which they cannot pull"
+                     : "the platen strain has passed " + number(100 * strain_limit()) + " % (max_strain)");
     return true;
+  }
+
+  static bool in_stress(const Stage& stage) { return stage.axial_stress || stage.deviatoric_stress; }
+
+  void say_missed(const std::string& why) {
+    host_->warn("protocol: stage " + std::to_string(s_.stage + 1) + " of " + std::to_string(stages_.size()) + " (" +
+                stages_[s_.stage].text() + ") was not reached: " + why + "; the test ends here");
   }
 
   double strain(const LoadControl& control) const {
