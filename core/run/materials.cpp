@@ -141,6 +141,34 @@ std::vector<std::uint8_t> by_grains(const GrainsConfig& way, const std::vector<M
   return of;
 }
 
+/// A region with the surface that its file holds.
+class Region {
+ public:
+  Region(const RegionConfig& config, const Space& space, std::size_t number) : config_(config) {
+    if (!config.mesh) return;
+    const auto fail = [&](const char* key, const std::string& text) {
+      throw AtPath("material_of.regions[" + std::to_string(number) + "].mesh" + key, text);
+    };
+    if (space.dimension == 2) fail("", "a mesh is a region of three dimensions: use a box or a sphere");
+    if (!has_ending(config.mesh->file, ".stl"))
+      fail(".file", "the mesh of a region is read from an .stl file, not from " + config.mesh->file.string());
+    try {
+      surface_ = std::make_shared<const ClosedSurface>(
+          closed_surface(read_stl(config.mesh->file, config.mesh->length_unit), config.mesh->file));
+    } catch (const UserError& e) { fail(".file", e.what()); }
+  }
+  bool holds(const Vec3& x) const {
+    if (!surface_) return config_.holds(x);
+    if ((x.array() < surface_->low().array()).any() || (x.array() > surface_->high().array()).any()) return false;
+    Vec3 inward;
+    return surface_->depth(x, inward) >= 0;
+  }
+
+ private:
+  const RegionConfig& config_;
+  std::shared_ptr<const ClosedSurface> surface_;
+};
+
 std::vector<std::uint8_t> by_column(const ColumnConfig& way, const std::vector<Material>& materials,
                                     const PackedParticles& p) {
   const auto column =
@@ -181,6 +209,9 @@ std::vector<std::uint8_t> assign_materials(const MaterialOfConfig& way, const st
     for (const double r : p.radius) volume.push_back(space.solid_volume(r));
     return by_shares(*way.shares, materials, volume, seed, "materials");
   }
+  std::vector<Region> regions;
+  if (way.regions)
+    for (std::size_t r = 0; r < way.regions->size(); ++r) regions.emplace_back((*way.regions)[r], space, r);
   std::vector<std::uint8_t> of(p.position.size());
   for (std::size_t k = 0; k < of.size(); ++k) {
     const std::string* name = nullptr;
@@ -190,7 +221,7 @@ std::vector<std::uint8_t> assign_materials(const MaterialOfConfig& way, const st
     } else if (way.regions) {
       name = &*way.elsewhere;
       for (std::size_t r = way.regions->size(); r-- > 0;)
-        if ((*way.regions)[r].holds(p.position[k])) name = &(*way.regions)[r].material;
+        if (regions[r].holds(p.position[k])) name = &(*way.regions)[r].material;
     } else {
       const LayersConfig& layers = *way.layers;
       const double period = std::accumulate(layers.thicknesses.begin(), layers.thicknesses.end(), 0.0);

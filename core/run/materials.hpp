@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "breccia/packing.hpp"
+#include "breccia/packing_tools/triangle_mesh.hpp"
 #include "breccia/schema.hpp"
 #include "engine/assembly.hpp"
 
@@ -48,7 +49,8 @@ struct RegionConfig {
   std::optional<SphereConfig> sphere;
   std::optional<CylinderConfig> cylinder;
   std::optional<HalfSpaceConfig> half_space;
-  bool holds(const Vec3& point) const;
+  std::optional<MeshConfig> mesh;
+  bool holds(const Vec3& point) const;  ///< of one that is no mesh
   static void describe(Schema<RegionConfig>& s);
 };
 

@@ -49,7 +49,8 @@ void RegionConfig::describe(Schema<RegionConfig>& s) {
   s.param("sphere", &RegionConfig::sphere).doc("a sphere");
   s.param("cylinder", &RegionConfig::cylinder).doc("a cylinder with flat ends");
   s.param("half_space", &RegionConfig::half_space).doc("all on one side of a plane");
-  s.exactly_one_of({"box", "sphere", "cylinder", "half_space"});
+  s.param("mesh", &RegionConfig::mesh).doc("the inside of a closed surface, in three dimensions");
+  s.exactly_one_of({"box", "sphere", "cylinder", "half_space", "mesh"});
 }
 
 bool RegionConfig::holds(const Vec3& p) const {

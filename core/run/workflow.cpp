@@ -229,7 +229,7 @@ void Workflow::describe(Schema<Workflow>& s) {
       .doc("2: discs that move in the plane z = 0; 3: spheres");
   s.param("thickness", &Workflow::thickness).unit("m").above(0).fallback(1.0).doc("of the discs, out of plane");
   s.param("periodic", &Workflow::periodic)
-      .items(1, 3)
+      .items(0, 3)
       .fallback(none)
       .example("[x, y, z]")
       .doc(

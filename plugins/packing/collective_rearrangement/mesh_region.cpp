@@ -2,29 +2,19 @@
 #include "mesh_region.hpp"
 
 #ifdef BRECCIA_HAS_VTK
-
 #include <vtkCellArray.h>
-#include <vtkCleanPolyData.h>
-#include <vtkFeatureEdges.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkObject.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataNormals.h>
-#include <vtkSTLReader.h>
-#include <vtkSmartPointer.h>
-#include <vtkTransform.h>
-#include <vtkTransformPolyDataFilter.h>
 #include <vtkTriangleFilter.h>
 #include <vtkXMLPolyDataReader.h>
+#endif
 
 #include <cstdio>
-#include <sstream>
 
 #include "breccia/packing_tools/parallel.hpp"
-#include "breccia/text_file.hpp"
-#include "surface.hpp"
+#include "breccia/packing_tools/triangle_mesh.hpp"
 
 namespace breccia::collective_rearrangement {
 
@@ -34,98 +24,49 @@ constexpr int samples_per_side = 64;  // of the grid on which the volume of a gr
 constexpr int confine_steps = 50;     // toward a place that keeps clear of several facets at once
 constexpr int most_places = 10000;    // tried for one sphere
 
-/// VTK takes a text with a byte order mark, or in UTF-16, for a binary file, and knows no lines that end in \r.
-bool is_text_unknown_to_vtk(std::string_view start) {
-  using namespace std::string_view_literals;
-  if (start.starts_with("\xFF\xFE"sv) || start.starts_with("\xFE\xFF"sv) || start.starts_with("s\0o\0"sv) ||
-      start.starts_with("\0s\0o"sv))
-    return true;
-  const std::string_view text = without_mark(start);
-  if (!text.starts_with("solid")) return false;
-  return text.size() < start.size() || (text.find('\r') != text.npos && text.find('\n') == text.npos);
-}
-
-/// All that counts are the words `vertex x y z`, three to a triangle.
-vtkSmartPointer<vtkPolyData> read_stl_text(const std::string& text) {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToFloat();  // as VTK's reader
-  vtkNew<vtkCellArray> triangles;
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
-    if (word != "vertex") continue;
-    float x[3];
-    if (!(words >> x[0] >> x[1] >> x[2])) break;
-    const vtkIdType last = points->InsertNextPoint(x);
-    const vtkIdType corners[] = {last - 2, last - 1, last};
-    if (last % 3 == 2) triangles->InsertNextCell(3, corners);
-  }
-  auto surface = vtkSmartPointer<vtkPolyData>::New();
-  surface->SetPoints(points);
-  surface->SetPolys(triangles);
-  return surface;
-}
-
-vtkSmartPointer<vtkPolyData> read_surface(const std::filesystem::path& file) {
-  const std::string start = read_bytes(file, 512);
-  const bool stl = has_ending(file, ".stl"), vtp = has_ending(file, ".vtp");
+#ifdef BRECCIA_HAS_VTK
+TriangleMesh read_vtp(const std::filesystem::path& file, double unit) {
   const bool warnings = vtkObject::GetGlobalWarningDisplay();
   vtkObject::GlobalWarningDisplayOff();  // VTK would print its own words; an empty surface tells enough
-  vtkSmartPointer<vtkPolyData> surface;
-  if (stl && is_text_unknown_to_vtk(start)) {
-    surface = read_stl_text(read_text_file(file));
-  } else if (stl) {
-    vtkNew<vtkSTLReader> reader;
-    reader->SetFileName(file.c_str());
-    reader->Update();
-    surface = reader->GetOutput();
-  } else if (vtp) {
-    vtkNew<vtkXMLPolyDataReader> reader;
-    reader->SetFileName(file.c_str());
-    reader->Update();
-    surface = reader->GetOutput();
-  }
-  vtkObject::SetGlobalWarningDisplay(warnings);
-  if (!surface) throw UserError("cannot read " + file.string() + ": a mesh is read from .stl or .vtp");
-  if (surface->GetNumberOfPolys() == 0) throw UserError("cannot read " + file.string() + ": it holds no triangles");
-  return surface;
-}
-
-/// Triangles in metres, shared points merged, normals outward.
-vtkSmartPointer<vtkPolyData> prepared(vtkPolyData* surface, double unit) {
-  vtkNew<vtkTransform> scale;
-  scale->Scale(unit, unit, unit);
-  vtkNew<vtkTransformPolyDataFilter> scaled;
-  scaled->SetInputData(surface);
-  scaled->SetTransform(scale);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
   vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputConnection(scaled->GetOutputPort());
-  vtkNew<vtkCleanPolyData> clean;
-  clean->SetInputConnection(triangles->GetOutputPort());
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputConnection(clean->GetOutputPort());
-  normals->ConsistencyOn();
-  normals->AutoOrientNormalsOn();
-  normals->SplittingOff();
-  normals->Update();
-  return normals->GetOutput();
+  triangles->SetInputConnection(reader->GetOutputPort());
+  triangles->PassLinesOff();
+  triangles->PassVertsOff();
+  triangles->Update();
+  vtkObject::SetGlobalWarningDisplay(warnings);
+  vtkPolyData* surface = triangles->GetOutput();
+  if (surface->GetNumberOfPolys() == 0) throw UserError("cannot read " + file.string() + ": it holds no triangles");
+  TriangleMesh mesh;
+  mesh.points.resize(std::size_t(surface->GetNumberOfPoints()));
+  for (std::size_t k = 0; k < mesh.points.size(); ++k) {
+    surface->GetPoint(vtkIdType(k), mesh.points[k].data());
+    mesh.points[k] *= unit;
+  }
+  vtkNew<vtkIdList> corners;
+  for (surface->GetPolys()->InitTraversal(); surface->GetPolys()->GetNextCell(corners);)
+    mesh.corners.push_back(
+        {std::size_t(corners->GetId(0)), std::size_t(corners->GetId(1)), std::size_t(corners->GetId(2))});
+  return mesh;
 }
+#endif
 
-void refuse_open(vtkPolyData* surface, const std::filesystem::path& file) {
-  vtkNew<vtkFeatureEdges> edges;
-  edges->SetInputData(surface);
-  edges->FeatureEdgesOff();
-  edges->ManifoldEdgesOff();
-  edges->BoundaryEdgesOn();
-  edges->NonManifoldEdgesOn();
-  edges->Update();
-  if (const auto open = edges->GetOutput()->GetNumberOfLines(); open > 0)
-    throw UserError("the surface of " + file.string() + " is not closed: " + std::to_string(open) +
-                    " of its edges do not join exactly two triangles");
+TriangleMesh read_triangles(const MeshConfig& config) {
+  if (has_ending(config.file, ".stl")) return read_stl(config.file, config.length_unit);
+#ifdef BRECCIA_HAS_VTK
+  if (has_ending(config.file, ".vtp")) return read_vtp(config.file, config.length_unit);
+#else
+  if (has_ending(config.file, ".vtp"))
+    throw UserError("reading " + config.file.string() +
+                    " needs VTK, and this Breccia was built without it: convert it to .stl");
+#endif
+  throw UserError("cannot read " + config.file.string() + ": a mesh is read from .stl or .vtp");
 }
 
 class MeshRegion final : public Region {
  public:
-  MeshRegion(std::shared_ptr<const Surface> surface, int threads, double margin = 0)
+  MeshRegion(std::shared_ptr<const ClosedSurface> surface, int threads, double margin = 0)
       : surface_(std::move(surface)),
         threads_(threads),
         margin_(margin),
@@ -202,7 +143,7 @@ class MeshRegion final : public Region {
     return inside * cell.prod();
   }
 
-  std::shared_ptr<const Surface> surface_;
+  std::shared_ptr<const ClosedSurface> surface_;
   int threads_;
   double margin_;
   Vec3 low_, high_;
@@ -212,30 +153,8 @@ class MeshRegion final : public Region {
 }  // namespace
 
 std::unique_ptr<Region> read_mesh(const MeshConfig& config, int threads) {
-  const auto mesh = prepared(read_surface(config.file), config.length_unit);
-  refuse_open(mesh, config.file);
-  std::vector<Vec3> points(std::size_t(mesh->GetNumberOfPoints()));
-  for (std::size_t k = 0; k < points.size(); ++k) mesh->GetPoint(vtkIdType(k), points[k].data());
-  std::vector<Surface::Triangle> triangles;
-  vtkNew<vtkIdList> corners;
-  for (mesh->GetPolys()->InitTraversal(); mesh->GetPolys()->GetNextCell(corners);)
-    triangles.push_back(
-        {std::size_t(corners->GetId(0)), std::size_t(corners->GetId(1)), std::size_t(corners->GetId(2))});
-  if (triangles.empty()) throw UserError("cannot read " + config.file.string() + ": all its triangles are degenerate");
-  return std::make_unique<MeshRegion>(std::make_shared<const Surface>(std::move(points), std::move(triangles)),
-                                      threads);
+  return std::make_unique<MeshRegion>(
+      std::make_shared<const ClosedSurface>(closed_surface(read_triangles(config), config.file)), threads);
 }
 
 }  // namespace breccia::collective_rearrangement
-
-#else
-
-namespace breccia::collective_rearrangement {
-
-std::unique_ptr<Region> read_mesh(const MeshConfig&, int) {
-  throw UserError("packing into a mesh needs VTK, and this Breccia was built without it: use a container");
-}
-
-}  // namespace breccia::collective_rearrangement
-
-#endif

@@ -1,26 +1,65 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surface.hpp"
+/// Signed distance to a closed surface of triangles: for spaces that are no simple shape.
+#pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
+#include <vector>
 
-namespace breccia::collective_rearrangement {
+#include "breccia/types.hpp"
 
-namespace {
+namespace breccia {
+
+namespace detail {
 
 constexpr std::size_t most_in_leaf = 4;
 constexpr std::size_t most_waiting = 64;  // nodes: the tree is halved at each level
 
-double square_distance(const Vec3& x, const Vec3& low, const Vec3& high) {
+inline double square_distance(const Vec3& x, const Vec3& low, const Vec3& high) {
   return (low - x).cwiseMax(x - high).cwiseMax(0.0).squaredNorm();
 }
 
-}  // namespace
+}  // namespace detail
 
-Surface::Surface(std::vector<Vec3> points, std::vector<Triangle> triangles)
+/// The sign is that of the pseudonormal at the nearest point, which is right at edges and corners too: Bærentzen &
+/// Aanæs (2005), IEEE Trans. Vis. Comput. Graph. 11, 243-253. Nearest points are found in a tree of bounding boxes.
+/// Exact but for rounding; may be used by any number of threads at a time.
+class ClosedSurface {
+ public:
+  using Triangle = std::array<std::size_t, 3>;  ///< numbers of its corners, counterclockwise as seen from outside
+  ClosedSurface(std::vector<Vec3> points, std::vector<Triangle> triangles);  // [m]
+
+  /// How far inside a point is, negative outside [m], and the direction in which that grows fastest.
+  double depth(const Vec3& x, Vec3& inward) const;
+  double volume() const;                             ///< [m3]
+  const Vec3& low() const { return nodes_[0].low; }  ///< of the bounding box [m]
+  const Vec3& high() const { return nodes_[0].high; }
+
+ private:
+  struct Node {
+    Vec3 low, high;
+    std::size_t first = 0, count = 0;  // triangles of a leaf; an inner node has none, and its children from `first` on
+  };
+  struct Nearest {
+    double square;  // of the distance [m2]
+    Vec3 point, normal;
+  };
+
+  void split(std::size_t node, std::size_t first, std::size_t end);
+  void look_at(std::size_t triangle, const Vec3& x, Nearest& best) const;
+
+  std::vector<Vec3> points_;
+  std::vector<Triangle> triangles_;
+  std::vector<Vec3> face_normal_, corner_normal_;
+  std::vector<std::array<Vec3, 3>> edge_normal_;  // of the edge that follows each corner
+  std::vector<Node> nodes_;
+};
+
+inline ClosedSurface::ClosedSurface(std::vector<Vec3> points, std::vector<Triangle> triangles)
     : points_(std::move(points)), triangles_(std::move(triangles)), corner_normal_(points_.size(), Vec3::Zero()) {
   nodes_.emplace_back();
   split(0, 0, triangles_.size());
@@ -40,14 +79,14 @@ Surface::Surface(std::vector<Vec3> points, std::vector<Triangle> triangles)
     edge_normal_.push_back({of_edge[edge(t[0], t[1])], of_edge[edge(t[1], t[2])], of_edge[edge(t[2], t[0])]});
 }
 
-double Surface::volume() const {
+inline double ClosedSurface::volume() const {
   double six = 0;
   for (const Triangle& t : triangles_)  // tetrahedra from a point nearby, for the sake of rounding
     six += (points_[t[0]] - low()).dot((points_[t[1]] - low()).cross(points_[t[2]] - low()));
   return six / 6;
 }
 
-void Surface::split(std::size_t node, std::size_t first, std::size_t end) {
+inline void ClosedSurface::split(std::size_t node, std::size_t first, std::size_t end) {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low, low_middle = low, high_middle = high;
   const auto middle = [&](const Triangle& t) { return Vec3((points_[t[0]] + points_[t[1]] + points_[t[2]]) / 3); };
   for (std::size_t k = first; k < end; ++k) {
@@ -59,7 +98,7 @@ void Surface::split(std::size_t node, std::size_t first, std::size_t end) {
     high_middle = high_middle.cwiseMax(middle(triangles_[k]));
   }
   nodes_[node] = {low, high, first, end - first};
-  if (end - first <= most_in_leaf) return;
+  if (end - first <= detail::most_in_leaf) return;
   int along;
   (high_middle - low_middle).maxCoeff(&along);
   const std::size_t half = (first + end) / 2;
@@ -77,7 +116,7 @@ void Surface::split(std::size_t node, std::size_t first, std::size_t end) {
 }
 
 /// Regions of a triangle after Ericson (2005), Real-Time Collision Detection, section 5.1.5.
-void Surface::look_at(std::size_t triangle, const Vec3& x, Nearest& best) const {
+inline void ClosedSurface::look_at(std::size_t triangle, const Vec3& x, Nearest& best) const {
   const Triangle& t = triangles_[triangle];
   const Vec3 &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
   const Vec3 ab = b - a, ac = c - a, ax = x - a, bx = x - b, cx = x - c;
@@ -102,9 +141,9 @@ void Surface::look_at(std::size_t triangle, const Vec3& x, Nearest& best) const 
   take(a + of_b / sum * ab + of_c / sum * ac, face_normal_[triangle]);
 }
 
-double Surface::depth(const Vec3& x, Vec3& inward) const {
+inline double ClosedSurface::depth(const Vec3& x, Vec3& inward) const {
   Nearest best{std::numeric_limits<double>::infinity(), Vec3::Zero(), Vec3::Zero()};
-  std::array<std::pair<double, std::size_t>, most_waiting> waiting;
+  std::array<std::pair<double, std::size_t>, detail::most_waiting> waiting;
   std::size_t n = 0;
   waiting[n++] = {0.0, 0};
   while (n > 0) {
@@ -114,8 +153,8 @@ double Surface::depth(const Vec3& x, Vec3& inward) const {
     for (std::size_t k = 0; k < node.count; ++k) look_at(node.first + k, x, best);
     if (node.count > 0) continue;
     std::pair<double, std::size_t> near{0, node.first}, far{0, node.first + 1};
-    near.first = square_distance(x, nodes_[near.second].low, nodes_[near.second].high);
-    far.first = square_distance(x, nodes_[far.second].low, nodes_[far.second].high);
+    near.first = detail::square_distance(x, nodes_[near.second].low, nodes_[near.second].high);
+    far.first = detail::square_distance(x, nodes_[far.second].low, nodes_[far.second].high);
     if (far.first < near.first) std::swap(near, far);
     waiting[n++] = far;
     waiting[n++] = near;
@@ -129,4 +168,4 @@ double Surface::depth(const Vec3& x, Vec3& inward) const {
   return inside ? distance : -distance;
 }
 
-}  // namespace breccia::collective_rearrangement
+}  // namespace breccia
