@@ -128,7 +128,8 @@ void Simulation::release(Index a, std::uint8_t mask) {
 }
 
 void Simulation::set_applied_force(Index a, const Vec3& force, const Mat3& moment) {
-  external_force_[a] += force - state_.particles.applied_force[a];
+  external_.force[a] += force - state_.particles.applied_force[a];
+  external_.load(a);
   state_.particles.applied_force[a] = force;
   state_.particles.applied_moment.resize(state_.particles.size(), Mat3::Zero());
   state_.particles.applied_moment[a] = moment;

@@ -60,6 +60,15 @@ double largest_speed(const Particles& p, std::size_t first, std::size_t end) {
 
 }  // namespace
 
+void ExternalLoads::begin(const State& s) {
+  force = s.particles.applied_force;
+  torque.assign(force.size(), Vec3::Zero());
+  loaded.assign((force.size() + group - 1) / group, 0);
+  for (std::size_t a = 0; a < force.size(); ++a)
+    if (!force[a].isZero(0)) load(Index(a));
+  for (const WallTouch& t : s.wall_touches) load(t.particle);
+}
+
 void clear_forces(State& s, const Share& share) {
   std::fill(s.particles.force.begin() + share.first_particle, s.particles.force.begin() + share.end_particle,
             Vec3::Zero());
@@ -67,8 +76,7 @@ void clear_forces(State& s, const Share& share) {
             Vec3::Zero());
 }
 
-void complete_forces(State& s, const Share& share, const Incidence& in, const std::vector<Vec3>& external_force,
-                     const std::vector<Vec3>& external_torque) {
+void complete_forces(State& s, const Share& share, const Incidence& in, const ExternalLoads& external) {
   Particles& p = s.particles;
   const Vec3* moment = s.pairs.moment.empty() ? nullptr : s.pairs.moment.data();
   for (const Index a : share.apart)
@@ -80,9 +88,13 @@ void complete_forces(State& s, const Share& share, const Incidence& in, const st
       p.force[a] += sign * Vec3(q.fx, q.fy, q.fz);
       p.torque[a] += torque;
     }
-  for (Index a = share.first_particle; a < share.end_particle; ++a) {
-    p.force[a] += external_force[a];
-    p.torque[a] += external_torque[a];
+  for (Index first = share.first_particle, end; first < share.end_particle; first = end) {
+    end = std::min(share.end_particle, Index((first / ExternalLoads::group + 1) * ExternalLoads::group));
+    if (!external.loaded[first / ExternalLoads::group]) continue;
+    for (Index a = first; a < end; ++a) {
+      p.force[a] += external.force[a];
+      p.torque[a] += external.torque[a];
+    }
   }
 }
 

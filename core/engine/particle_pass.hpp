@@ -19,12 +19,23 @@ struct PassSums {
   double largest_speed = 0;               ///< infinite if one, or a spin, is not a finite number [m/s]
 };
 
+/// What walls and protocol do to particles, a row each. Most are far from either: a group of rows that are all zero is
+/// not `loaded`, and neither read nor added.
+struct ExternalLoads {
+  static constexpr std::size_t group = 32;
+  std::vector<Vec3> force, torque;  // [N], [N m]
+  std::vector<std::uint8_t> loaded;
+
+  /// The applied forces alone, and room for those of the walls that are near.
+  void begin(const State& state);
+  void load(Index particle) { loaded[particle / group] = 1; }
+};
+
 /// Before the pairs of a share are evaluated: `force` and `torque` of its particles are zero.
 void clear_forces(State& state, const Share& share);
 
 /// After all pairs are: sums those particles of the share that are apart, and adds walls' and applied loads to all.
-void complete_forces(State& state, const Share& share, const Incidence& incidence,
-                     const std::vector<Vec3>& external_force, const std::vector<Vec3>& external_torque);
+void complete_forces(State& state, const Share& share, const Incidence& incidence, const ExternalLoads& external);
 
 /// Leapfrog: velocities by one step with the resultants in `force` and `torque` and damping, then positions.
 /// Held components keep their velocity; the work that this takes counts as boundary work. Particles whose velocity is

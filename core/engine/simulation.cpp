@@ -26,8 +26,7 @@ Simulation::Simulation(State state, Interactions laws, const EngineSettings& set
   const double mean_radius = std::accumulate(r.begin(), r.end(), 0.0) / double(r.size());
   skin_ = settings_.skin * mean_radius;
   reach_ = std::min(settings_.skin, counted_reach) * mean_radius;
-  external_force_.assign(r.size(), Vec3::Zero());
-  external_torque_.assign(r.size(), Vec3::Zero());
+  external_.begin(state_);
 }
 
 BondingResult Simulation::bond(const BondingRule& rule, const std::optional<SpecimenToTell>& told) {
@@ -96,8 +95,7 @@ void Simulation::rebuild() {
       if (const Index b = state_.pairs.bond[k]; b != PairsView::no_bond) guarded_pairs_[k] = guarded[b];
   }
   // Rows that no wall touches any more go back to the applied force alone.
-  external_force_ = state_.particles.applied_force;
-  external_torque_.assign(state_.particles.size(), Vec3::Zero());
+  external_.begin(state_);
   look();
   ++rebuilds_;
 }
@@ -195,10 +193,9 @@ void Simulation::forces(bool to_be_viewed) {
       if (mine.begin < mine.end) laws_.evaluate(mine);
     }
 #pragma omp single  // the first to be through; at its end the others are, too
-    wall_forces(s, external_force_, external_torque_);
+    wall_forces(s, external_.force, external_.torque);
 #pragma omp for schedule(static, 1)
-    for (std::size_t t = 0; t < shares; ++t)
-      complete_forces(s, partition_.shares[t], incidence_, external_force_, external_torque_);
+    for (std::size_t t = 0; t < shares; ++t) complete_forces(s, partition_.shares[t], incidence_, external_);
   }
   record_breaks();
 }

@@ -107,7 +107,7 @@ class Simulation final : public LoadControl {
   std::vector<Dissipated> chunk_dissipated_;  ///< of each chunk, law by law
   std::vector<std::uint8_t> chunk_broke_;
   std::vector<std::uint8_t> guarded_pairs_;  ///< of `bonds.guarded`, for the present pair list
-  std::vector<Vec3> external_force_, external_torque_;
+  ExternalLoads external_;
   bool any_applied_ = false, loading_started_ = false, pair_forces_known_ = true, forces_known_ = false;
   std::uint64_t rebuilds_ = 0;
   std::size_t broken_ = 0;  ///< of the bonds
