@@ -82,6 +82,9 @@ void rebuild_pairs(State& s, const Interactions& law, double skin, Pairs& spare,
   const Particles& p = s.particles;
   const Index n = Index(p.size());
   std::swap(s.pairs, spare);
+  // Nobody asks for the forces of before: one array serves both lists.
+  std::swap(s.pairs.force, spare.force);
+  std::swap(s.pairs.moment, spare.moment);
   const Pairs& old = spare;
   Pairs& q = s.pairs;
   const auto old_start = rows_by_first(old.i, n);

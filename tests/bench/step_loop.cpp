@@ -87,6 +87,7 @@ void write_json(const std::string& file, const std::vector<std::unique_ptr<Case>
                    {"pairs", s.pairs.size()},
                    {"seconds_per_1000_steps", thousand(c->wall().least())},
                    {"ns_per_bond_step", 1e9 * c->wall().least() / Case::steps / double(s.bonds.size())},
+                   {"processor_ns_per_bond_step", 1e9 * c->processor().least() / Case::steps / double(s.bonds.size())},
                    {"bonding_seconds", c->bonding_time()},
                    {"prepare_seconds", c->prepare_time()},
                    {"rebuild_seconds", c->rebuild_time()},

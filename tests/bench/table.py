@@ -9,14 +9,15 @@ import sys
 import time
 
 program, folder, sizes = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3:]
-print("| law | particles | bonds | ns per bond and step, 1 thread | 2 threads | steps/s, 1 thread | speed-up | bytes per particle | "
+print("| law | particles | bonds | ns per bond and step, 1 thread | its processor | 2 threads | steps/s, 1 thread | speed-up | bytes per particle | "
       "at the peak | bonding [s] | prepare [s] | rebuild [s] |")
-print("|---" * 12 + "|")
+print("|---" * 13 + "|")
 for law in ("elastic_brittle", "elasto_damage_plastic", "nonlinear_tension"):
     for size in sizes:
         one, two = json.loads((folder / f"table_{law}_{size}.json").read_text())
         n = one["particles"]
-        print(f"| `{law}` | {n} | {one['bonds']} | {one['ns_per_bond_step']:.1f} | {two['ns_per_bond_step']:.1f} | "
+        print(f"| `{law}` | {n} | {one['bonds']} | {one['ns_per_bond_step']:.1f} | "
+              f"{one['processor_ns_per_bond_step']:.1f} | {two['ns_per_bond_step']:.1f} | "
               f"{1000 / one['seconds_per_1000_steps']:.0f} | "
               f"{one['seconds_per_1000_steps'] / two['seconds_per_1000_steps']:.2f} | {one['bytes'] / n:.0f} | "
               f"{one['peak_bytes'] / n:.0f} | {one['bonding_seconds']:.2f} | {one['prepare_seconds']:.2f} | "
