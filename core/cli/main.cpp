@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <sys/auxv.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -210,17 +211,25 @@ int dispatch(int argc, char** argv) {
 
 }  // namespace
 
+/// What libraries read from the environment when they are loaded, which is before `main`: the program starts itself
+/// again with it. What is set already is left alone.
 /// Threads that wait for each other sleep at once instead of spinning: beside other work a run is then never many times
-/// slower, and on an idle machine it costs nothing that can be seen (docs/performance.md). The OpenMP runtime reads
-/// this when it is loaded, which is before `main`, so the program starts itself again with it. Who has set either
-/// variable is left alone.
-void let_waiting_threads_sleep(char** argv) {
-  if (std::getenv("OMP_WAIT_POLICY") || std::getenv("GOMP_SPINCOUNT")) return;
-  if (setenv("OMP_WAIT_POLICY", "passive", 1) == 0) execv("/proc/self/exe", argv);  // comes back only when it fails
+/// slower, and on an idle machine it costs nothing that can be seen. Large arrays lie in huge pages where the system
+/// gives them to who asks: particles are reached by index, and each small page costs a translation. Both are measured
+/// in docs/performance.md.
+void set_environment_of_libraries(char** argv) {
+  if (getauxval(AT_SECURE)) return;  // the system takes such variables away: it would go round for ever
+  bool again = false;
+  const auto set = [&](const char* name, const char* value) {
+    if (!std::getenv(name) && setenv(name, value, 0) == 0) again = true;
+  };
+  if (!std::getenv("GOMP_SPINCOUNT")) set("OMP_WAIT_POLICY", "passive");
+  set("GLIBC_TUNABLES", "glibc.malloc.hugetlb=1");
+  if (again) execv("/proc/self/exe", argv);  // comes back only when it fails
 }
 
 int main(int argc, char** argv) {
-  let_waiting_threads_sleep(argv);
+  set_environment_of_libraries(argv);
   try {
     const int code = dispatch(argc, argv);
     // A reader that has seen enough (`| head`) is no error; a full disk is.

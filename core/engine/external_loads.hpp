@@ -8,29 +8,43 @@
 
 namespace breccia {
 
+/// A row for each particle. Most are far from walls and applied forces: a group of rows that are all zero is marked so,
+/// and neither read nor added.
 class ExternalLoads {
  public:
-  /// No wall touches any particle.
-  void reset(const Particles& p) {
-    force_ = p.applied_force;
-    torque_.assign(p.size(), Vec3::Zero());
+  static constexpr std::size_t group = 32;
+
+  /// The applied forces alone, and room for those of the walls that are near.
+  void reset(const State& s) {
+    force_ = s.particles.applied_force;
+    torque_.assign(force_.size(), Vec3::Zero());
+    any_.assign((force_.size() + group - 1) / group, 0);
+    for (std::size_t a = 0; a < force_.size(); ++a)
+      if (!force_[a].isZero(0)) any_[a / group] = 1;
+    for (const WallTouch& t : s.wall_touches) any_[t.particle / group] = 1;
   }
   /// The protocol's force on a particle was changed by so much [N].
-  void change(Index particle, const Vec3& force) { force_[particle] += force; }
+  void change(Index particle, const Vec3& force) {
+    force_[particle] += force;
+    any_[particle / group] = 1;
+  }
   /// Before the walls' forces of a step, for each particle that is near one.
   void restart(Index particle, const Particles& p) {
     force_[particle] = p.applied_force[particle];
     torque_[particle].setZero();
   }
+  /// Of a wall that is near, since `reset`.
   void add(Index particle, const Vec3& force, const Vec3& torque) {
     force_[particle] += force;
     torque_[particle] += torque;
   }
+  bool any(Index particle) const { return any_[particle / group]; }       ///< in the particle's group
   const Vec3& force(Index particle) const { return force_[particle]; }    // [N]
   const Vec3& torque(Index particle) const { return torque_[particle]; }  // [N m]
 
  private:
   std::vector<Vec3> force_, torque_;
+  std::vector<std::uint8_t> any_;
 };
 
 }  // namespace breccia

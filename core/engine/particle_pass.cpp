@@ -81,9 +81,13 @@ void complete_forces(State& s, const Share& share, const Incidence& in, const Ex
       p.force[a] += sign * Vec3(q.fx, q.fy, q.fz);
       p.torque[a] += torque;
     }
-  for (Index a = share.first_particle; a < share.end_particle; ++a) {
-    p.force[a] += loads.force(a);
-    p.torque[a] += loads.torque(a);
+  for (Index first = share.first_particle, end; first < share.end_particle; first = end) {
+    end = std::min(share.end_particle, Index((first / ExternalLoads::group + 1) * ExternalLoads::group));
+    if (!loads.any(first)) continue;
+    for (Index a = first; a < end; ++a) {
+      p.force[a] += loads.force(a);
+      p.torque[a] += loads.torque(a);
+    }
   }
 }
 

@@ -28,7 +28,7 @@ Simulation::Simulation(State state, Interactions laws, const EngineSettings& set
   skin_ = settings_.skin * mean_radius;
   reach_ = std::min(settings_.skin, counted_reach) * mean_radius;
   pair_length_ = 2 * *std::max_element(r.begin(), r.end()) + skin_;
-  loads_.reset(state_.particles);
+  loads_.reset(state_);
 }
 
 BondingResult Simulation::bond(const BondingRule& rule, const std::optional<SpecimenToTell>& told) {
@@ -53,6 +53,7 @@ double Simulation::porosity() const {
 void Simulation::prepare() {
   critical_ = bound_ = std::numeric_limits<double>::infinity();
   mass_pending_ = settings_.added_mass > 0;
+  state_.positions_at_look.clear();  // all pairs are to be looked at
   rebuild();
   check_stiffness(state_, laws_);
   if (!std::isfinite(critical_) && reach_ < skin_) {  // nothing touches yet: what may do so some day sets the step
@@ -98,7 +99,7 @@ void Simulation::rebuild() {
       if (const Index b = state_.pairs.bond[k]; b != PairsView::no_bond) guarded_pairs_[k] = guarded[b];
   }
   // Rows that no wall touches any more go back to the applied force alone.
-  loads_.reset(state_.particles);
+  loads_.reset(state_);
   look();
   ++rebuilds_;
 }
@@ -191,7 +192,7 @@ void Simulation::forces(bool to_be_viewed) {
   const std::size_t shares = partition_.shares.size();
 #pragma omp parallel num_threads(settings_.threads)
   {
-#pragma omp for schedule(dynamic, 1) nowait
+#pragma omp for schedule(static, 1) nowait
     for (std::size_t t = 0; t < shares; ++t) {
       const Share& share = partition_.shares[t];
       PairBatch mine = all;

@@ -1,115 +1,67 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Time of the first 1000 steps on the specimen of a workflow: breccia_bench WORKFLOW [THREADS...] [--json FILE]
+/// Time of the step loop, on the specimens of workflows: see `usage`.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <chrono>
-#include <ctime>
+#include <cstdio>
 #include <fstream>
 
-#include "breccia/contact_law.hpp"
-#include "breccia/protocol.hpp"
-#include "engine/assembly.hpp"
-#include "engine/simulation.hpp"
-#include "output/curve_table.hpp"
-#include "run/contact_laws.hpp"
-#include "run/packing_cache.hpp"
-#include "run/workflow.hpp"
+#include "bench_case.hpp"
 
 namespace {
 
 using namespace breccia;
+using namespace breccia::bench;
 
-class Quiet final : public Host {
- public:
-  void info(std::string_view) override {}
-  void warn(std::string_view text) override { fmt::print(stderr, "{}\n", text); }
-  void progress(std::string_view, double) override {}
-  bool cancelled() const override { return false; }
-  int threads() const override { return 2; }
+constexpr const char* usage =
+    "usage: breccia_bench WORKFLOW [THREADS...] [--batches N] [--json FILE] [--set PATH=VALUE]... [--copies NX,NY,NZ]\n"
+    "       breccia_bench --roofline WORKFLOW [--set PATH=VALUE]... [--copies NX,NY,NZ]...\n"
+    "       breccia_bench --serve WORKFLOW [THREADS] [--write FILE] [--set PATH=VALUE]... [--copies NX,NY,NZ]\n"
+    "The first steps of the test, on 1 and 2 threads or on those given; or, with --roofline, the step of the engine\n"
+    "beside that of a plain kernel, for each number of copies; or, with --serve, a batch for every line of standard "
+    "input.";
+
+struct Arguments {
+  std::string file, json, write;
+  std::vector<std::string> overrides;
+  std::vector<Copies> copies;
+  std::vector<int> threads;
+  int batches = 100;
+  bool roofline = false, serve = false;
 };
 
-template <class F>
-double seconds(F&& f) {
-  const auto start = std::chrono::steady_clock::now();
-  f();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+Copies copies_of(const std::string& text) {
+  Copies c;
+  char after;
+  if (std::sscanf(text.c_str(), "%d,%d,%d%c", &c[0], &c[1], &c[2], &after) != 3 ||
+      *std::min_element(c.begin(), c.end()) < 1)
+    throw UserError("--copies takes three whole numbers, as 2,2,5");
+  return c;
 }
 
-/// Of all threads of this process [s].
-double processor_time() {
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
+Arguments parse(int argc, char** argv) {
+  Arguments a;
+  for (int k = 1; k < argc; ++k) {
+    const std::string word = argv[k];
+    const auto value = [&]() -> std::string {
+      if (++k == argc) throw UserError(word + " needs a value\n" + usage);
+      return argv[k];
+    };
+    if (word == "--roofline") a.roofline = true;
+    else if (word == "--serve") a.serve = true;
+    else if (word == "--write") a.write = value();
+    else if (word == "--set") a.overrides.push_back(value());
+    else if (word == "--copies") a.copies.push_back(copies_of(value()));
+    else if (word == "--json") a.json = value();
+    else if (word == "--batches") a.batches = std::max(1, std::stoi(value()));
+    else if (word.starts_with("--")) throw UserError("unknown option " + word + "\n" + usage);
+    else if (a.file.empty()) a.file = word;
+    else a.threads.push_back(std::stoi(word));
+  }
+  if (a.file.empty() || (!a.roofline && a.copies.size() > 1)) throw UserError(usage);
+  if (a.copies.empty()) a.copies = {{1, 1, 1}};
+  if (a.threads.empty()) a.threads = {1, 2};
+  return a;
 }
-
-/// One simulation, run in batches.
-class Case {
- public:
-  static constexpr int batches = 100, steps = 10;
-
-  Case(const Workflow& w, const Registry& registry, const PackedParticles& packing, int threads)
-      : threads_(threads),
-        laws_(registry, w.contact_law, w.material_list(), std::uint64_t(w.seed)),
-        protocol_(registry.create<Protocol>(w.protocol)),
-        sim_(assemble(packing, w.materials_of(packing), int(w.dimension), w.thickness), laws_.interactions(),
-             settings(w, threads)) {
-    sim_.bond(w.bonding.rule());
-    protocol_->setup(sim_.view(), sim_, curves_, host_);
-    sim_.prepare();
-    time_step_ = sim_.state().time_step;
-  }
-
-  void batch() {
-    const double before = processor_time();
-    times_.push_back(seconds([&] {
-      for (int k = 0; k < steps; ++k) {
-        protocol_->step(sim_);
-        sim_.forces(false);
-        sim_.advance();
-      }
-    }));
-    processor_times_.push_back(processor_time() - before);
-  }
-  void rebuild_lists() {
-    for (int k = 0; k < 5; ++k) rebuild_ = std::min(rebuild_, seconds([&] { sim_.prepare(); }));
-  }
-
-  int threads() const { return threads_; }
-  double wall_time() const {
-    double sum = 0;
-    for (const double t : times_) sum += t;
-    return sum;
-  }
-  double processor() const {
-    return *std::min_element(processor_times_.begin(), processor_times_.end()) / steps;
-  }                                                                                         // [s] per step
-  double least() const { return *std::min_element(times_.begin(), times_.end()) / steps; }  // [s] per step
-  double median() const {
-    std::vector<double> sorted = times_;
-    std::sort(sorted.begin(), sorted.end());
-    return sorted[sorted.size() / 2] / steps;
-  }
-  double rebuild() const { return rebuild_; }
-  double time_step() const { return time_step_; }
-  const Simulation& simulation() const { return sim_; }
-
- private:
-  static EngineSettings settings(const Workflow& w, int threads) {
-    EngineSettings s;
-    s.damping = {w.damping.translational, w.damping.rotational};
-    s.threads = threads;
-    return s;
-  }
-  int threads_;
-  ContactLaws laws_;
-  std::unique_ptr<Protocol> protocol_;
-  Simulation sim_;
-  Quiet host_;
-  CurveTable curves_;
-  std::vector<double> times_, processor_times_;
-  double rebuild_ = 1e300, time_step_;
-};
 
 /// What the workflow's reference says 1000 steps took elsewhere, if it does.
 std::string published(const Workflow& w, int threads) {
@@ -120,54 +72,88 @@ std::string published(const Workflow& w, int threads) {
   return "";
 }
 
+/// Of 1000 steps [s].
+double thousand(double batch) { return 1000.0 / Case::steps * batch; }
+
 /// Minima; `file` empty: nowhere.
-void write_json(const std::string& file, const std::vector<std::unique_ptr<Case>>& cases) {
+void write_json(const std::string& file, const std::vector<std::unique_ptr<Case>>& cases, std::size_t peak) {
   if (file.empty()) return;
   Json all = Json::array();
-  for (const auto& c : cases) all.push_back({{"threads", c->threads()}, {"seconds_per_1000_steps", 1e3 * c->least()}});
+  for (const auto& c : cases) {
+    const State& s = c->simulation().state();
+    all.push_back({{"threads", c->threads()},
+                   {"particles", s.particles.size()},
+                   {"bonds", s.bonds.size()},
+                   {"pairs", s.pairs.size()},
+                   {"seconds_per_1000_steps", thousand(c->wall().least())},
+                   {"ns_per_bond_step", 1e9 * c->wall().least() / Case::steps / double(s.bonds.size())},
+                   {"processor_ns_per_bond_step", 1e9 * c->processor().least() / Case::steps / double(s.bonds.size())},
+                   {"bonding_seconds", c->bonding_time()},
+                   {"prepare_seconds", c->prepare_time()},
+                   {"rebuild_seconds", c->rebuild_time()},
+                   {"bytes", c->memory()},
+                   {"peak_bytes", peak}});
+  }
   if (!(std::ofstream(file) << all.dump(2) << "\n")) throw UserError("cannot write " + file);
 }
 
-void measure(const Workflow& w, const Registry& registry, const std::vector<int>& threads, const std::string& file) {
-  Quiet host;
-  const PackingOutcome packing = obtain_packing(registry, w.packing, w.packing_request(), default_cache_folder(), host);
+void measure(const Arguments& a) {
+  const Specimen specimen(a.file, a.overrides, a.copies.front());
   std::vector<std::unique_ptr<Case>> cases;
-  for (const int t : threads) cases.push_back(std::make_unique<Case>(w, registry, packing.particles, t));
+  std::size_t peak = 0;
+  for (const int t : a.threads) {
+    cases.push_back(std::make_unique<Case>(specimen, t));
+    if (peak == 0) peak = peak_memory();  // while there is but one
+  }
   // In turn, so that other work on the machine is in the way of each alike.
-  for (int b = 0; b < Case::batches; ++b)
+  for (int b = 0; b < a.batches; ++b)
     for (const auto& c : cases) c->batch();
-  for (const auto& c : cases) c->rebuild_lists();
+  for (const auto& c : cases) c->rebuild();
 
   const State& s = cases[0]->simulation().state();
-  const double bonds = double(s.bonds.size()), one = cases[0]->least();
-  fmt::print("{}: {} particles, {} bonds, {} pairs; time step {:.4g} us; {} batches of {} steps\n", w.name,
-             s.particles.size(), s.bonds.size(), s.pairs.size(), 1e6 * cases[0]->time_step(), Case::batches,
+  const double bonds = double(s.bonds.size()), particles = double(s.particles.size());
+  const double one = cases[0]->wall().least();
+  fmt::print("{}: {} particles, {} bonds, {} pairs; time step {:.4g} us; {} batches of {} steps\n",
+             specimen.workflow.name, s.particles.size(), s.bonds.size(), s.pairs.size(), 1e6 * s.time_step, a.batches,
              Case::steps);
-  fmt::print("{:>7}  {:>11} {:>8}  {:>9} {:>9} {:>9} {:>10}  {:>8}  {:>10}\n", "", "ns per bond", "and step", "s per",
-             "1000 steps", "", "", "", "pair list");
-  fmt::print("{:>7}  {:>11} {:>8}  {:>9} {:>9} {:>9} {:>10}  {:>8}  {:>10}\n", "threads", "minimum", "median",
-             "minimum", "its cpu", "all, wall", "published", "speed-up", "made in ms");
-  for (const auto& c : cases)
-    fmt::print("{:>7}  {:>11.2f} {:>8.2f}  {:>9.2f} {:>9.2f} {:>9.2f} {:>10}  {:>8.2f}  {:>10.1f}\n", c->threads(),
-               1e9 * c->least() / bonds, 1e9 * c->median() / bonds, 1e3 * c->least(), 1e3 * c->processor(),
-               c->wall_time(), published(w, c->threads()), one / c->least(), 1e3 * c->rebuild());
-  write_json(file, cases);
+  fmt::print("memory: {:.0f} bytes per particle, {:.0f} at the peak of the process\n",
+             double(cases[0]->memory()) / particles, double(peak) / particles);
+  fmt::print("{:>7}  {:>11} {:>8}  {:>9} {:>9} {:>9} {:>9} {:>10}  {:>8}  {:>7} {:>7} {:>7}\n", "", "ns per bond",
+             "and step", "steps", "s per", "1000 steps", "", "", "", "seconds", "to", "");
+  fmt::print("{:>7}  {:>11} {:>8}  {:>9} {:>9} {:>9} {:>9} {:>10}  {:>8}  {:>7} {:>7} {:>7}\n", "threads", "minimum",
+             "median", "per s", "minimum", "its cpu", "all, wall", "published", "speed-up", "bond", "prepare",
+             "rebuild");
+  for (const auto& c : cases) {
+    const Batches &wall = c->wall(), &processor = c->processor();
+    fmt::print(
+        "{:>7}  {:>11.2f} {:>8.2f}  {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f} {:>10}  {:>8.2f}  {:>7.2f} {:>7.2f} {:>7.3f}\n",
+        c->threads(), 1e9 * wall.least() / Case::steps / bonds, 1e9 * wall.median() / Case::steps / bonds,
+        Case::steps / wall.least(), thousand(wall.least()), thousand(processor.least()), wall.sum(),
+        published(specimen.workflow, c->threads()), one / wall.least(), c->bonding_time(), c->prepare_time(),
+        c->rebuild_time());
+  }
+  write_json(a.json, cases, peak);
+}
+
+void roofline(const Arguments& a) {
+  std::string line = "step over plain kernel:";
+  for (const Copies& copies : a.copies) {
+    const Specimen specimen(a.file, a.overrides, copies);
+    line += fmt::format(" {:.2f} ({:.0f}k)", step_over_plain_kernel(specimen),
+                        1e-3 * double(specimen.packing.radius.size()));
+  }
+  fmt::print("{}\n", line);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    if (argc < 2) throw UserError("usage: breccia_bench WORKFLOW [THREADS...] [--json FILE]");
-    std::vector<int> threads;
-    std::string file;
-    for (int k = 2; k < argc; ++k) {
-      if (std::string_view(argv[k]) != "--json") threads.push_back(std::stoi(argv[k]));
-      else if (++k < argc) file = argv[k];
-    }
-    if (threads.empty()) threads = {1, 2};
-    Registry registry;
-    measure(load_workflow(argv[1], {}, registry).workflow, registry, threads, file);
+    const Arguments a = parse(argc, argv);
+    std::setvbuf(stdout, nullptr, _IOLBF, 0);
+    if (a.roofline) roofline(a);
+    else if (a.serve) serve(Specimen(a.file, a.overrides, a.copies.front()), a.threads.front(), a.write);
+    else measure(a);
   } catch (const std::exception& e) {
     fmt::print(stderr, "{}\n", e.what());
     return 2;
