@@ -12,7 +12,8 @@ class Compare : public Program {
     add("a", R"({"workflow": "first", "interrupted": false, "wall_time_s": 3.5, "bonds": 200, "porosity": 0.25,
  "peak_stress_Pa": 330000000.0, "youngs_modulus_Pa": null, "fabric_diagonal": [0.3, 0.3, 0.4],
  "damage": {"fragments": 7, "deeper": {"ratio": 0.125}},
- "reference": {"source": "A paper", "peak_stress_Pa": 300000000.0, "youngs_modulus_Pa": 2e10}})");
+ "reference": {"source": "A paper", "peak_stress_Pa": 300000000.0, "youngs_modulus_Pa": 2e10},
+ "units": {"peak_stress_Pa": "Pa", "youngs_modulus_Pa": "Pa", "wall_time_s": "s"}})");
     add("b", R"({"workflow": "second", "interrupted": true, "wall_time_s": 4, "bonds": 100, "coordination_number": 9.5,
  "porosity": 0.5, "damage": {"bonds_broken": 12}, "reference": {}})");
   }
@@ -98,7 +99,9 @@ TEST_F(Compare, AStudyStandsForItsCases) {
 /// The stiffness and the moment are written alike.
 TEST_F(Compare, ANewtonMetreIsNoMetre) {
   add("m",
-      R"({"bending_moment_N_m": 2, "platen_stiffness_N_m": 3, "viscosity_Pa_s": 4, "rate_1_s": 5, "drift_m_s": 6})");
+      R"({"bending_moment_N_m": 2, "platen_stiffness_N_m": 3, "viscosity_Pa_s": 4, "rate_1_s": 5, "drift_m_s": 6, "units":
+          {"bending_moment_N_m": "N m", "platen_stiffness_N_m": "N/m", "viscosity_Pa_s": "Pa s", "rate_1_s": "1/s",
+           "drift_m_s": "m/s"}})");
   ASSERT_EQ(call("m -o out").substr(0, 2), "0:");
   for (const char* row : {"| bending moment (N m) | 2 |", "| platen stiffness (N/m) | 3 |", "| viscosity (Pa s) | 4 |",
                           "| rate (1/s) | 5 |", "| drift (m/s) | 6 |"})
