@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/cell_motion.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <vector>
 
 #include "breccia/error.hpp"
 #include "engine/chunks.hpp"
@@ -10,49 +12,34 @@ namespace breccia {
 namespace {
 
 /// Block by block, as all sums over particles.
-Vec3 centre_of_mass(const Particles& p) {
+Vec3 centre_of_mass(const Particles& p, int threads) {
+  const std::size_t blocks = (p.size() + particle_block - 1) / particle_block;
+  std::vector<Vec3> moments(blocks, Vec3::Zero());
+  std::vector<double> masses(blocks, 0.0);
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (std::size_t b = 0; b < blocks; ++b)
+    for (std::size_t a = b * particle_block; a < std::min(p.size(), (b + 1) * particle_block); ++a) {
+      moments[b] += p.mass[a] * p.position[a];
+      masses[b] += p.mass[a];
+    }
   Vec3 moment = Vec3::Zero();
   double mass = 0;
-  for (std::size_t first = 0; first < p.size(); first += particle_block) {
-    Vec3 of_block = Vec3::Zero();
-    double in_block = 0;
-    for (std::size_t a = first; a < std::min(p.size(), first + particle_block); ++a) {
-      of_block += p.mass[a] * p.position[a];
-      in_block += p.mass[a];
-    }
-    moment += of_block;
-    mass += in_block;
+  for (std::size_t b = 0; b < blocks; ++b) {
+    moment += moments[b];
+    mass += masses[b];
   }
   return moment / mass;
 }
 
-CellField field_of(const State& s, const Mat3& velocity) {
-  if (velocity.isZero(0)) return {};
-  return {velocity * s.cell.inverse(), centre_of_mass(s.particles)};
-}
-
 }  // namespace
 
-CellField cell_field(const State& s) { return field_of(s, s.cell_velocity); }
-
-void lead_cell(State& s) {
+CellMotion lead_cell(State& s, int threads) {
   s.energy.boundary_work -=
       0.5 * s.time_step * s.cell_forces.across.cwiseProduct(s.cell_velocity + s.cell_velocity_asked).sum();
-  if (s.cell_velocity_asked == s.cell_velocity) return;
-  const CellField push = field_of(s, s.cell_velocity_asked - s.cell_velocity);
+  CellMotion motion{s.cell_velocity * s.cell.inverse(), s.cell_velocity_asked * s.cell.inverse(), Vec3::Zero()};
   s.cell_velocity = s.cell_velocity_asked;
-  Particles& p = s.particles;
-  double work = 0;
-  for (std::size_t a = 0; a < p.size(); ++a) {
-    const Vec3 more = push.at(p.position[a]);
-    for (int k = 0; k < 3; ++k) {
-      if (p.held[a] >> k & 1) continue;
-      double& v = p.velocity[a][k];
-      work += p.mass[a] * more[k] * (v + 0.5 * more[k]) + 0.5 * s.time_step * p.force[a][k] * more[k];
-      v += more[k];
-    }
-  }
-  s.energy.boundary_work += work;
+  if (motion.any()) motion.centre = centre_of_mass(s.particles, threads);
+  return motion;
 }
 
 void move_cell(State& s) {

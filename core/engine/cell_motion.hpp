@@ -11,20 +11,16 @@
 
 namespace breccia {
 
-/// The part of the particles' velocities that is the cell's: zero in the centre of mass, so that momentum is kept.
-struct CellField {
-  Mat3 gradient = Mat3::Zero();  // [1/s]
-  Vec3 centre = Vec3::Zero();    // [m]
-  bool any() const { return !gradient.isZero(0); }
-  Vec3 at(const Vec3& x) const { return gradient * (x - centre); }
+/// How fast a strained space moves at a place, seen from its centre of mass: so momentum is kept.
+struct CellMotion {
+  Mat3 before = Mat3::Zero(), after = Mat3::Zero();  ///< gradient of velocity in the half steps behind and ahead [1/s]
+  Vec3 centre = Vec3::Zero();                        // [m]
+  bool any() const { return !before.isZero(0) || !after.isZero(0); }
 };
 
-/// Of the present growth.
-CellField cell_field(const State& state);
-
-/// From the growth of the half step behind to that which was asked for: pushes the particles and books the work of both
-/// halves.
-void lead_cell(State& state);
+/// From the growth of the half step behind to that which was asked for; books the work of the cell in both. What the
+/// particles feel of it is for `integrate`.
+CellMotion lead_cell(State& state, int threads);
 
 /// By one step, as the particles.
 void move_cell(State& state);

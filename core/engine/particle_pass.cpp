@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "breccia/contact.hpp"
-#include "engine/cell_motion.hpp"
 
 namespace breccia {
 namespace {
@@ -91,29 +90,44 @@ void complete_forces(State& s, const Share& share, const Incidence& in, const Ex
   }
 }
 
-/// The velocities of particles [first, end) as seen from the strained space, for as long as this lives.
+/// The velocities of particles [first, end) as seen from the strained space, for as long as this lives: less its motion
+/// in the half step behind, and in the end with that of the half step ahead. Where the two differ the particles have
+/// been pushed, each by what goes with its place.
 class SeenFromCell {
  public:
-  SeenFromCell(Particles& p, const CellField& field, std::size_t first, std::size_t end)
-      : p_(p), first_(first), end_(field.any() ? end : first) {
+  SeenFromCell(Particles& p, const CellMotion& motion, std::size_t first, std::size_t end)
+      : p_(p), first_(first), end_(end) {
     for (std::size_t a = first_; a < end_; ++a) {
-      Vec3& drift = drift_[a - first_] = field.at(p.position[a]);
+      const Vec3 from = p.position[a] - motion.centre;
+      Vec3 behind = motion.before * from;
+      Vec3& ahead = ahead_[a - first_] = motion.after * from;
       for (int k = 0; k < 3; ++k)
-        if (p.held[a] >> k & 1) drift[k] = 0;
-      before_[a - first_] = p.velocity[a] -= drift;
+        if (p.held[a] >> k & 1) behind[k] = ahead[k] = 0;
+      push_[a - first_] = ahead - behind;
+      before_[a - first_] = p.velocity[a] -= behind;
     }
   }
   SeenFromCell(const SeenFromCell&) = delete;
   SeenFromCell& operator=(const SeenFromCell&) = delete;
   ~SeenFromCell() {
-    for (std::size_t a = first_; a < end_; ++a) p_.velocity[a] += drift_[a - first_];
+    for (std::size_t a = first_; a < end_; ++a) p_.velocity[a] += ahead_[a - first_];
   }
-  /// What the damping took from the drift, after the velocities were advanced by `dt` [J].
+  /// Of the pushes, as of whoever leads a particle: its energy, and half a step at the old velocity [J].
+  double push_work(double dt) const {
+    double sum = 0;
+    for (std::size_t a = first_; a < end_; ++a) {
+      const Vec3& push = push_[a - first_];
+      const Vec3 middle = before_[a - first_] + ahead_[a - first_] - 0.5 * push;
+      sum += p_.mass[a] * push.dot(middle) + 0.5 * dt * p_.force[a].dot(push);
+    }
+    return sum;
+  }
+  /// What the damping took from the space's motion, after the velocities were advanced by `dt` [J].
   double damped(double dt) const {
     double sum = 0;
     for (std::size_t a = first_; a < end_; ++a) {
       const Vec3 gained = p_.mass[a] * (p_.velocity[a] - before_[a - first_]) - dt * p_.force[a];
-      sum -= gained.dot(drift_[a - first_]);
+      sum -= gained.dot(ahead_[a - first_]);
     }
     return sum;
   }
@@ -121,15 +135,14 @@ class SeenFromCell {
  private:
   Particles& p_;
   std::size_t first_, end_;
-  Vec3 drift_[block], before_[block];
+  Vec3 ahead_[block], push_[block], before_[block];
 };
 
-PassSums integrate(State& s, const Damping& damping, bool any_applied, int threads) {
+PassSums integrate(State& s, const Damping& damping, const CellMotion& cell, bool any_applied, int threads) {
   Particles& p = s.particles;
   const double dt = s.time_step;
   const std::size_t n = p.size(), blocks = (n + block - 1) / block;
   std::vector<PassSums> sums(blocks);
-  const CellField field = cell_field(s);
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::ptrdiff_t b = 0; b < std::ptrdiff_t(blocks); ++b) {
     PassSums& sum = sums[b];
@@ -138,7 +151,10 @@ PassSums integrate(State& s, const Damping& damping, bool any_applied, int threa
     if (any_applied) sum.boundary_work += half_applied_work(p, first, end, dt);
     {
       std::optional<SeenFromCell> seen;
-      if (field.any()) seen.emplace(p, field, first, end);
+      if (cell.any()) {
+        seen.emplace(p, cell, first, end);
+        sum.boundary_work += seen->push_work(dt);
+      }
       advance(p.velocity[first].data(), p.force[first].data(), &p.mass[first], &p.held[first], 0, end - first,
               damping.translational, dt, lost[0], work[0]);
       if (seen) sum.damping += seen->damped(dt);

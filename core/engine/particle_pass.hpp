@@ -2,6 +2,7 @@
 /// Sums the pair forces on each particle, adds damping and moves it.
 #pragma once
 
+#include "engine/cell_motion.hpp"
 #include "engine/external_loads.hpp"
 #include "engine/partition.hpp"
 #include "model/state.hpp"
@@ -30,7 +31,7 @@ void complete_forces(State& state, const Share& share, const Incidence& incidenc
 /// Held components keep their velocity; the work that this takes counts as boundary work. Particles whose velocity is
 /// no finite number, and those next to them in memory, are not moved. In a space that is strained, what is damped and
 /// what counts as speed is the motion against it.
-PassSums integrate(State& state, const Damping& damping, bool any_applied, int threads);
+PassSums integrate(State& state, const Damping& damping, const CellMotion& cell, bool any_applied, int threads);
 
 /// After a step that left a velocity that is no finite number: the positions of before it.
 void undo_positions(State& state);

@@ -273,8 +273,8 @@ void Simulation::advance() {
   BRECCIA_ASSERT(forces_known_);
   refuse_long_way();
   forces_known_ = false;
-  if (s.cell.repeats()) lead_cell(s);
-  const PassSums sums = integrate(s, settings_.damping, any_applied_, settings_.threads);
+  const CellMotion cell = s.cell.repeats() ? lead_cell(s, settings_.threads) : CellMotion{};
+  const PassSums sums = integrate(s, settings_.damping, cell, any_applied_, settings_.threads);
   s.energy.damping += sums.damping;
   s.energy.boundary_work += sums.boundary_work;
   move_walls(s);

@@ -14,6 +14,14 @@ std::string header_name(const Column& c) { return ResultName(c.name, c.unit).key
 
 std::filesystem::path curve_units_file(std::filesystem::path curves) { return curves.replace_extension(".json"); }
 
+// As data: a header that joins name and unit cannot be taken apart again.
+void write_units(const std::filesystem::path& table, const std::vector<Column>& columns) {
+  Json described = Json::array();
+  for (const Column& c : columns)
+    described.push_back({{"header", header_name(c)}, {"name", c.name}, {"unit", c.unit}, {"doc", c.doc}});
+  write_file(curve_units_file(table), json_text(described, 1) + "\n");
+}
+
 std::size_t CurveTable::add(Column column) {
   BRECCIA_ASSERT(!file_);
   if (!index_.emplace(column.name, columns_.size()).second)
@@ -34,11 +42,7 @@ std::span<const double> CurveTable::column(std::string_view name) const {
 }
 
 void CurveTable::open(const std::filesystem::path& path) {
-  // Names and units as data: a header that joins them cannot be taken apart again.
-  Json described = Json::array();
-  for (const Column& c : columns_)
-    described.push_back({{"header", header_name(c)}, {"name", c.name}, {"unit", c.unit}, {"doc", c.doc}});
-  write_file(curve_units_file(path), json_text(described, 1) + "\n");
+  write_units(path, columns_);
   file_ = std::make_unique<AtomicFile>(path, true);
   std::string line;
   for (const Column& c : columns_) line += (line.empty() ? "" : ",") + header_name(c);

@@ -15,6 +15,8 @@ std::string header_name(const Column& column);
 
 /// Beside `curves.csv` the file `curves.json`: header, name, SI unit and meaning of each column.
 std::filesystem::path curve_units_file(std::filesystem::path curves);
+/// Writes that file: header, name, unit and meaning of each column.
+void write_units(const std::filesystem::path& table, const std::vector<Column>& columns);
 
 class CurveTable final : public Recorder, public Curves {
  public:

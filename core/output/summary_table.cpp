@@ -65,7 +65,9 @@ void SummaryTable::write(const std::filesystem::path& folder) const {
       for (std::size_t c = 0; c < table.values.size(); ++c)
         text += (c ? "," : "") + (std::isfinite(table.values[c][row]) ? fmt::format("{}", table.values[c][row]) : "");
     }
-    write_file(folder / "tables" / (table.name + ".csv"), text + "\n");
+    const std::filesystem::path file = folder / "tables" / (table.name + ".csv");
+    write_units(file, table.columns);
+    write_file(file, text + "\n");
   }
   write_file(folder / "summary.json", json_text(json(), 2) + "\n");
 }

@@ -33,7 +33,7 @@ class SummaryTable {
   void add(Table table, const std::string& owner);  ///< the same for two tables of one name
   /// With `units`: the unit of each key that has one, by its dotted name.
   Json json() const;
-  /// summary.json, and tables/<name>.csv for each table, in this folder.
+  /// summary.json, and for each table tables/<name>.csv with tables/<name>.json, as curves have it, in this folder.
   void write(const std::filesystem::path& folder) const;
 
  private:

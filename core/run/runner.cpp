@@ -25,6 +25,7 @@
 #include "run/listed.hpp"
 #include "run/loading.hpp"
 #include "run/packing_cache.hpp"
+#include "run/provenance.hpp"
 #include "run/render.hpp"
 #include "run/scatter_summary.hpp"
 #include "run/warning_log.hpp"
@@ -131,34 +132,14 @@ class Run {
 
   /// The full input, and what made the result: running it again gives the same bits.
   void write_resolved() {
-    Json provenance = {{"breccia", BRECCIA_VERSION}, {"packing_content", packing_.hash}};
-    const auto add = [&](const char* kind, const std::string& name) {
-      const PluginInfo& info = registry_.info(kind, name);
-      provenance["plugins"][std::string(kind) + "/" + name] = info.version + " " + info.sha256;
-    };
-    add("packing", w_.packing.type);
-    for (const PluginChoice& c : w_.contact_law.plugins) add("contact_law", c.type);
-    add("protocol", w_.protocol.type);
-    for (const PluginChoice& c : w_.postprocessors) add("postprocessor", c.type);
-    for (const PluginChoice& c : w_.outputs) add("output", c.type);
-    for (const PluginChoice& c : w_.renderers) add("renderer", c.type);
-    warn_of_changes(provenance);
+    const Json provenance = provenance_of(w_, registry_, packing_.hash);
+    for (const std::string& change : changes_since(w_.provenance, provenance)) monitor_.warn(change);
     config_["provenance"] = provenance;
     if (!is_utf8(config_))
       monitor_.warn("the name of an input file is not UTF-8: resolved.yaml cannot state it and cannot be run again");
     write_file(options_.folder / "resolved.yaml",
                "# The full input of this run, defaults included; run it again for the same result.\n" +
                    write_yaml(config_, workflow_schema(), registry_));
-  }
-
-  void warn_of_changes(const Json& now) {
-    const Json& then = w_.provenance;
-    if (then.contains("packing_content") && then["packing_content"] != now["packing_content"])
-      monitor_.warn("the packing is not the one this resolved workflow was made with: results will differ");
-    if (!then.contains("plugins") || !then["plugins"].is_object()) return;
-    for (const auto& [name, made_with] : then["plugins"].items())
-      if (now["plugins"].contains(name) && now["plugins"][name] != made_with)
-        monitor_.warn("plugin " + name + " has changed since this resolved workflow was written: results may differ");
   }
 
   void loop() {

@@ -194,6 +194,10 @@ TEST_F(Faults, TwoOfATypeByTheirNames) {
   for (const char* file : {"tables/dials.csv", "tables/upper_dials.csv", "frame.txt", "fine_faulty/frame.txt",
                            "a_faulty/picture.txt", "b_faulty/picture.txt"})
     EXPECT_TRUE(fs::exists(folder_ / "out" / file)) << file;
+  const Json described = Json::parse(content(folder_ / "out/tables/upper_dials.json"));
+  EXPECT_EQ(described[0]["header"], "value_m");
+  EXPECT_EQ(described[0]["name"], "value");
+  EXPECT_EQ(described[0]["unit"], "m");
   EXPECT_EQ(content(folder_ / "out/fine_faulty/frame.txt"), "reading\nupper_reading\nlower_reading\n");
   const std::string manifest = content(folder_ / "out/breccia.json");
   EXPECT_TRUE(has(manifest, "fine_faulty/frame.txt") && has(manifest, "a_faulty/picture.txt")) << manifest;

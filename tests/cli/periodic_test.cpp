@@ -91,6 +91,11 @@ TEST_F(PeriodicInWorkflows, PlatensStandWhereItDoesNotRepeatItself) {
   EXPECT_EQ(r.code, 2);
   EXPECT_TRUE(has(r.text, "across z")) << r.text;
   r = call(
+      "run platens.yaml --output crushed --set 'periodic=[]' --set protocol.type=triaxial_compression --set "
+      "'protocol.confining_pressure=1 TPa'");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_TRUE(has(r.text, "times the modulus of the bonds")) << r.text;
+  r = call(
       "run platens.yaml --output sides --set protocol.type=triaxial_compression --set "
       "protocol.confining_pressure=5MPa");
   EXPECT_EQ(r.code, 2);
@@ -111,6 +116,12 @@ TEST_F(PeriodicInWorkflows, WhatCannotBeIsSaid) {
       "particles: 100, radius: {distribution: uniform, min: 0.5 mm, max: 0.9 mm}}'");
   EXPECT_EQ(r.code, 2);
   EXPECT_TRUE(has(r.text, "cannot fill a space that repeats itself")) << r.text;
+  r = call("run cell.yaml --output far --set 'protocol.lateral_pressure=1 TPa'");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_TRUE(has(r.text, "times the modulus of the bonds")) << r.text;
+  r = call("run cell.yaml --output loose --set 'bonding.tolerance=-0.5'");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_TRUE(has(r.text, "there are no bonds")) << r.text;
   r = call("run cell.yaml --output narrow --set 'packing.container.size=[4 mm, 10 mm, 10 mm]'");
   EXPECT_EQ(r.code, 2);
   EXPECT_TRUE(has(r.text, "two images")) << r.text;

@@ -83,6 +83,25 @@ TEST_F(FromFile, TwoDimensions) {
   expect(user_error([&] { load(file, {{"length_unit", "mm"}, {"axis", "z"}}, 2); }), "the axis must be x or y");
 }
 
+TEST_F(FromFile, ASpaceThatRepeatsItself) {
+  const auto load = [&](const std::string& rows, const Json& period, std::array<bool, 3> periodic) {
+    PackingRequest request{{3, 1}, 1};
+    request.periodic = periodic;
+    return generate(
+        *make<Packing>(BRECCIA_FROM_FILE_PLUGIN, {{"file", folder_.file("p.csv", "x,y,z,radius\n" + rows).string()},
+                                                  {"length_unit", "mm"},
+                                                  {"outline", "box"},
+                                                  {"period", period}}),
+        request, host_);
+  };
+  const std::array<bool, 3> x_and_z = {true, false, true};
+  const Json period = {20e-3, 0.0, 30e-3};
+  EXPECT_EQ(load("0,0,0,1\n5,0,0,1\n", period, x_and_z).period, Vec3(20e-3, 0, 30e-3));
+  expect(user_error([&] { load("0,0,0,1\n", period, {true, true, true}); }), "`period` must say after which length");
+  expect(user_error([&] { load("0,0,0,1\n", period, {false, false, true}); }), "write 0 there in `period`");
+  expect(user_error([&] { load("1,0,0,1\n21,0,-30,1\n", period, x_and_z); }), "the same centre as line 2");
+}
+
 TEST_F(FromFile, WhatTheParticlesFill) {
   using Outline = SpecimenShape::Outline;
   const auto file = folder_.file("p.csv", "x,y,z,radius\n1,2,0,0.5\n");

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "breccia/cell_grid.hpp"
+#include "breccia/images.hpp"
 #include "breccia/packing.hpp"
 #include "breccia/text_file.hpp"
 #include "spheres.hpp"
@@ -112,16 +112,18 @@ class FromFile final : public Packing {
     const AxisName axis = config_.axis.value_or(flat ? AxisName::y : AxisName::z);
 
     from_file::Spheres spheres = read(!flat);
-    check(spheres, flat);
+    PackedParticles packed;
+    if (config_.period)
+      for (std::size_t k = 0; k < config_.period->size(); ++k) packed.period[int(k)] = (*config_.period)[k];
+    Space space = request;
+    space.cell = Cell::box(packed.period);
+    check(spheres, space);
     for (const std::string& column : spheres.ignored)
       host.info("packing from_file: column `" + column + "` of " + config_.file.string() +
                 " is not used: it is not all numbers");
 
-    PackedParticles packed;
     packed.outline = outline(spheres, flat, host);
     packed.axis = Vec3::Unit(int(axis));
-    if (config_.period)
-      for (std::size_t k = 0; k < config_.period->size(); ++k) packed.period[int(k)] = (*config_.period)[k];
     const auto& r = spheres.radius;
     packed.report = {{"particles", "1", {}, double(r.size())},
                      {"radius_min", "m", {}, *std::min_element(r.begin(), r.end())},
@@ -187,7 +189,8 @@ class FromFile final : public Packing {
     return 1;
   }
 
-  void check(const from_file::Spheres& s, bool flat) const {
+  void check(const from_file::Spheres& s, const Space& space) const {
+    const bool flat = space.dimension == 2;
     if (s.radius.empty()) throw UserError(config_.file.string() + " holds no particle");
     double smallest = s.radius[0];
     for (std::size_t k = 0; k < s.radius.size(); ++k) {
@@ -200,8 +203,8 @@ class FromFile final : public Packing {
     }
     // Closer than this, the line of centres (the contact normal) would be rounding noise.
     const double too_close = 1e-6 * smallest;
-    CellGrid(s.position, too_close).for_each_pair([&](Index i, Index j) {
-      if ((s.position[i] - s.position[j]).norm() <= too_close)
+    for_each_pair_within(space, s.position, too_close, [&](Index i, Index j) {
+      if (space.branch(s.position[i], s.position[j]).norm() <= too_close)
         throw UserError(s.where(config_.file, j) + ": the same centre as " +
                         (s.line.empty() ? "point " + std::to_string(i) : "line " + std::to_string(s.line[i])));
     });

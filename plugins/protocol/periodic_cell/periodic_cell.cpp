@@ -92,9 +92,14 @@ class PeriodicCell final : public Protocol {
     shape.axis.cwiseAbs().maxCoeff(&axis_);
     dimension_ = view.dimension;
     stiffness_ = control.bond_stiffness();
+    if (!(stiffness_.modulus > 0))
+      throw UserError(
+          "protocol periodic_cell: there are no bonds, and their stiffness is what the cell is led by: bond the "
+          "particles");
+    refuse_pressure_out_of_reach(c_.lateral_pressure, stiffness_);
     double widest = 0;
     for (int k = 0; k < dimension_; ++k) widest = std::max(widest, view.cell.width(k));
-    travel_ = stiffness_.wave_speed > 0 ? widest / stiffness_.wave_speed : 0;
+    travel_ = widest / stiffness_.wave_speed;
     failure_stress_ = c_.failure_stress.value_or(load_scale());
     s_.start = edges(view.cell);
     axial_strain_ = recorder.add({"axial_strain", "1", "of the cell along the axis, compression positive"});

@@ -41,8 +41,8 @@ std::vector<Curve> described_curves(std::filesystem::path file, const std::vecto
   return curves;
 }
 
-/// Of a table without such a file: divides "axial_stress_Pa" into name and unit: the longest unit that ends the header.
-/// What ends in none is a pure number.
+/// Of a table that an older Breccia wrote, without such a file: divides "axial_stress_Pa" into name and unit: the
+/// longest unit that ends the header. What ends in none is a pure number.
 Curve curve_named(const std::string& header) {
   static constexpr std::pair<std::string_view, const char*> units[] = {{"Pa", "Pa"},       {"s", "s"},
                                                                        {"m", "m"},         {"N", "N"},

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,6 +39,23 @@ inline SpecimenShape specimen_along(LoadingAxis wanted, const SimulationView& vi
 
 /// Strain at which a specimen of its bonds' modulus is surely loaded, and not just touched by a platen.
 constexpr double strain_of_touch = 1e-4;
+
+/// UserError for a pressure all round that a specimen of such bonds cannot be led to: it is led at the rate of the
+/// test, and a run would go on for hours toward what is a slip of a unit.
+inline void refuse_pressure_out_of_reach(double pressure, const BondStiffness& bonds) {
+  if (!(pressure > 0)) return;
+  if (!(bonds.modulus > 0))
+    throw UserError(
+        "protocol: without bonds there is no stiffness by which a pressure could be led: bond the particles first");
+  constexpr double most = 0.5;  // strain: over the bonds' modulus all of the specimen would be overlap
+  if (pressure <= most * bonds.modulus) return;
+  char text[220];
+  std::snprintf(text, sizeof text,
+                "protocol: a pressure of %.4g Pa is %.3g times the modulus of the bonds (%.4g Pa): no specimen carries "
+                "it; check its unit, and that of the modulus",
+                pressure, pressure / bonds.modulus, bonds.modulus);
+  throw UserError(text);
+}
 
 template <class Config>
 void describe_failure_stress(Schema<Config>& s) {

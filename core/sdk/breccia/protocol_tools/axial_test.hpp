@@ -23,6 +23,7 @@ class AxialTest : public Protocol {
     failure_stress_ = c_.failure_stress.value_or(load_scale());
     platens_.setup(control, c_, shape_.base, shape_.base + shape_.height * shape_.axis);
     s_.height = shape_.height;
+    for (const Stage& stage : stages_) refuse_pressure_out_of_reach(stage.confining_pressure.value_or(0), stiffness_);
     confinement_->setup(shape_, view, control, platens_.stiffness());
     stress_ = recorder.add(
         {"platen_stress", "Pa", "mean of both platens' normal forces over the cross-section; compression positive"});
