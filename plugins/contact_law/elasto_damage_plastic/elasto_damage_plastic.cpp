@@ -109,11 +109,7 @@ struct Law {
     const double softened =
         (1 + soft_n) * ea * c.rest_length * peak_n * peak_n * grown_n + (1 + soft_s) * ks * peak_s * peak_s * grown_s;
     const double left = keep_n * ea * c.rest_length * pulled * pulled + keep_s * ks * spring * spring;
-    // Less the work that the force which goes with it did not do in this step any more, as leapfrog has it (the way
-    // times the mean of before and after).
-    const double not_done = keep_n * ea * pulled * c.normal_velocity * c.time_step +
-                            keep_s * ks * (ux * c.shear_x + uy * c.shear_y + uz * c.shear_z);
-    f.fracture_energy = 0.5 * (softened + (broke ? left - not_done : 0.0));
+    f.fracture_energy = 0.5 * (softened + (broke ? left : 0.0));
     f.friction_work = slip.work;
     f.contact_work =
         area * c.rest_length * (hardening.plastic_work(plastic) - hardening.plastic_work(s.plastic_strain)) +
