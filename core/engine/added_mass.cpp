@@ -7,7 +7,7 @@
 
 namespace breccia {
 
-AddedMass add_mass(std::span<const double> mass, std::span<const double> steps, double share,
+AddedMass add_mass(Strided<const double> mass, std::span<const double> steps, double share,
                    std::vector<double>& factors) {
   AddedMass added;
   factors.assign(mass.size(), 1);

@@ -17,7 +17,7 @@ struct AddedMass {
 /// Factors on the masses (and inertias) that raise the time step of each particle by itself, `steps` [s], to a common
 /// one, as long as `share` of the total mass allows. A particle's step grows as the root of its mass, a dashpot's
 /// constant with the root of the mass being counted in.
-AddedMass add_mass(std::span<const double> mass, std::span<const double> steps, double share,
+AddedMass add_mass(Strided<const double> mass, std::span<const double> steps, double share,
                    std::vector<double>& factors);
 
 }  // namespace breccia

@@ -43,7 +43,7 @@ void refuse_bad(const PackedParticles& p) {
 
 }  // namespace
 
-std::vector<Index> morton_order(std::span<const Vec3> points) {
+std::vector<Index> morton_order(Strided<const Vec3> points) {
   std::vector<Index> order(points.size());
   std::iota(order.begin(), order.end(), Index(0));
   if (points.empty()) return order;
@@ -85,20 +85,22 @@ State assemble(const PackedParticles& packing, const Materials& materials, int d
           "particle " + std::to_string(k) + " of the packing, of radius " + number(r) + " m, has a mass of " +
           number(m) + " kg, which cannot be reckoned with: check radii and " +
           (materials.list.size() == 1 ? "material.density" : "materials." + materials.list[of].name + ".density"));
-    p.position.push_back(packing.position[k]);
-    p.radius.push_back(r);
-    p.mass.push_back(m);
-    p.inertia.push_back(m * s.gyration(r));
+    ParticleMotion& one = p.motion.emplace_back();
+    one.position = packing.position[k];
+    one.radius = r;
+    one.mass = m;
+    one.inertia = m * s.gyration(r);
     if (materials.list.size() > 1) p.material.push_back(of);
     p.id.push_back(k);
   }
-  for (auto* field : {&p.velocity, &p.angular_velocity, &p.force, &p.torque, &p.applied_force})
-    field->assign(n, Vec3::Zero());
-  p.reference_position = p.position;
+  p.load.resize(n);
+  p.applied_force.assign(n, Vec3::Zero());
+  p.reference_position.assign(p.position().begin(), p.position().end());
   p.held.assign(n, dimension == 2 ? dof::out_of_plane : std::uint8_t(0));
   s.cell = s.reference_cell = Cell::box(packing.period);
-  s.specimen = measure_specimen(p.position, p.radius, s.cell.repeats() ? SpecimenShape::Outline::box : packing.outline,
-                                packing.axis, s, packing.container_volume);
+  s.specimen =
+      measure_specimen(p.position(), p.radius(), s.cell.repeats() ? SpecimenShape::Outline::box : packing.outline,
+                       packing.axis, s, packing.container_volume);
   return s;
 }
 

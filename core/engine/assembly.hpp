@@ -28,6 +28,6 @@ struct Materials {
 State assemble(const PackedParticles& packing, const Materials& materials, int dimension, double thickness);
 
 /// Order of the points along a Morton curve: result[k] is the k-th point. Ties keep their order.
-std::vector<Index> morton_order(std::span<const Vec3> points);
+std::vector<Index> morton_order(Strided<const Vec3> points);
 
 }  // namespace breccia

@@ -24,13 +24,13 @@ double reach_of(double largest_radius, bool relative, double limit) {
 
 std::vector<Candidate> pairs_within(const State& s, GapMeasure measure, double limit) {
   const Particles& p = s.particles;
-  const double largest = *std::max_element(p.radius.begin(), p.radius.end());
+  const double largest = *std::max_element(p.radius().begin(), p.radius().end());
   const bool relative = measure == GapMeasure::relative;
   std::vector<Candidate> found;
   const double reach = reach_of(largest, relative, limit);
   refuse_narrow_cell(s, reach);
-  for_each_pair_within(s, p.position, reach, [&](Index i, Index j) {
-    const double d = s.branch(p.position[i], p.position[j]).norm(), touching = p.radius[i] + p.radius[j];
+  for_each_pair_within(s, p.position(), reach, [&](Index i, Index j) {
+    const double d = s.branch(p.position()[i], p.position()[j]).norm(), touching = p.radius()[i] + p.radius()[j];
     const double gap = relative ? d / touching - 1 : d - touching;
     if (gap <= limit) found.push_back({i, j, d, gap});
   });
@@ -43,13 +43,13 @@ void refuse_too_many(const State& s, const BondingResult& rule) {
   const Particles& p = s.particles;
   constexpr std::size_t most = 350;  // bonds a particle; within five times the sum of the radii there are about 300
   if (p.size() <= 2 * most) return;
-  const double largest = *std::max_element(p.radius.begin(), p.radius.end());
+  const double largest = *std::max_element(p.radius().begin(), p.radius().end());
   const bool relative = rule.measure == GapMeasure::relative;
   std::size_t count = 0;
-  CellGrid(p.position, reach_of(largest, relative, rule.limit)).for_each_pair([&](Index i, Index j) {
+  CellGrid(p.position(), reach_of(largest, relative, rule.limit)).for_each_pair([&](Index i, Index j) {
     const double reach =
-        relative ? (1 + rule.limit) * (p.radius[i] + p.radius[j]) : p.radius[i] + p.radius[j] + rule.limit;
-    if ((p.position[j] - p.position[i]).squaredNorm() > reach * reach) return;
+        relative ? (1 + rule.limit) * (p.radius()[i] + p.radius()[j]) : p.radius()[i] + p.radius()[j] + rule.limit;
+    if ((p.position()[j] - p.position()[i]).squaredNorm() > reach * reach) return;
     if (++count <= most * p.size()) return;
     char text[32];
     std::snprintf(text, sizeof text, relative ? "%.4g" : "%.4g m", rule.limit);
@@ -62,7 +62,7 @@ void refuse_too_many(const State& s, const BondingResult& rule) {
 /// The candidates with the smallest gaps, as many as asked; equal gaps stand or fall together, so a lattice stays one.
 std::vector<Candidate> nearest_pairs(const State& s, GapMeasure measure, std::size_t wanted, double& limit) {
   double mean = 0;
-  for (const double r : s.particles.radius) mean += r / double(s.particles.size());
+  for (const double r : s.particles.radius()) mean += r / double(s.particles.size());
   const double unit = measure == GapMeasure::relative ? 1.0 : 2 * mean;
   for (double reach = 0.25; reach < 8; reach *= 2) {
     std::vector<Candidate> found = pairs_within(s, measure, reach * unit);

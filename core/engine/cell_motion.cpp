@@ -19,8 +19,8 @@ Vec3 centre_of_mass(const Particles& p, int threads) {
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::size_t b = 0; b < blocks; ++b)
     for (std::size_t a = b * particle_block; a < std::min(p.size(), (b + 1) * particle_block); ++a) {
-      moments[b] += p.mass[a] * p.position[a];
-      masses[b] += p.mass[a];
+      moments[b] += p.mass()[a] * p.position()[a];
+      masses[b] += p.mass()[a];
     }
   Vec3 moment = Vec3::Zero();
   double mass = 0;

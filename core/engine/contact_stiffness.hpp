@@ -70,7 +70,7 @@ inline double step_of(double k, double c) {
 
 /// Whether a pair of the list could exert a force before its ends have moved by `reach` in all, from where they are in
 /// `position`. A pair that was bonded once feels its partner from the bond's length on.
-bool within_reach(const State& state, std::size_t pair, const std::vector<Vec3>& position, double reach);
+bool within_reach(const State& state, std::size_t pair, Strided<const Vec3> position, double reach);
 bool within_reach(const State& state, const WallTouch& touch, double reach);
 
 /// The pair as its `i` (or, `second`, its `j`) sees it; the centres do not coincide.

@@ -6,43 +6,60 @@
 
 #include "breccia/error.hpp"
 #include "engine/counter_random.hpp"
+#include "engine/four.hpp"
 
 namespace breccia {
 namespace {
+
+/// Writes the columns of four rows; the last only where somebody wants it.
+BRECCIA_KERNEL void turn_into(Four (&row)[4], double* x, double* y, double* z, double* last) {
+  transpose(row[0], row[1], row[2], row[3]);
+  four(x) = row[0];
+  four(y) = row[1];
+  four(z) = row[2];
+  if (last) four(last) = row[3];
+}
+
+/// Asks for the second particles of pairs [first, end), which come from anywhere, while the chunk before them is worked
+/// on. The first ones, and all that belongs to pairs, come in order: asked for as well, they are in the way.
+void fetch_ahead(const PairBatch& b, std::size_t first, std::size_t end) {
+  for (std::size_t k = first; k < end; ++k) {
+    const ParticleMotion& of = b.motion[b.j[k]];
+    __builtin_prefetch(&of.position);
+    __builtin_prefetch(&of.angular_velocity);
+    if (b.sum) __builtin_prefetch(&b.sum[b.j[k]], 1);
+  }
+}
 
 template <bool with_mass, bool guarded>
 BRECCIA_KERNEL void gather(const PairBatch& b, std::size_t first, std::size_t n, PairChunk& g) {
   g.size = n;
   g.time_step = b.time_step;
   g.breakable = guarded ? g.may_break : g.intact;
-  for (std::size_t k = 0; k < n; ++k) {
-    const Index i = b.i[first + k], j = b.j[first + k];
-    const double *xi = b.position[i].data(), *xj = b.position[j].data();
-    const double *vi = b.velocity[i].data(), *vj = b.velocity[j].data();
-    const double *wi = b.angular_velocity[i].data(), *wj = b.angular_velocity[j].data();
-    g.dx[k] = xj[0] - xi[0];
-    g.dy[k] = xj[1] - xi[1];
-    g.dz[k] = xj[2] - xi[2];
-    g.vx[k] = vj[0] - vi[0];
-    g.vy[k] = vj[1] - vi[1];
-    g.vz[k] = vj[2] - vi[2];
-    g.wix[k] = wi[0];
-    g.wiy[k] = wi[1];
-    g.wiz[k] = wi[2];
-    g.wjx[k] = wj[0];
-    g.wjy[k] = wj[1];
-    g.wjz[k] = wj[2];
-  }
-  // A loop of its own: in one there are more arrays than registers for their addresses.
-  for (std::size_t k = 0; k < n; ++k) {
-    const Index i = b.i[first + k], j = b.j[first + k];
-    g.ri[k] = b.radius[i];
-    g.rj[k] = b.radius[j];
-    if constexpr (with_mass) {
-      g.mi[k] = b.mass[i];
-      g.mj[k] = b.mass[j];
+  const ParticleMotion* const of = b.motion;
+  const Index *const first_i = b.i + first, *const first_j = b.j + first;
+  for (std::size_t k = 0; k < n; k += 4) {
+    Index i[4], j[4];
+    for (std::size_t l = 0; l < 4; ++l) {  // past the end the last pair once more: nobody reads that
+      const std::size_t pair = std::min(k + l, n - 1);
+      i[l] = first_i[pair];
+      j[l] = first_j[pair];
     }
+    Four row[4];
+    for (int l = 0; l < 4; ++l) row[l] = four(of[j[l]].position) - four(of[i[l]].position);
+    turn_into(row, g.dx + k, g.dy + k, g.dz + k, nullptr);
+    for (int l = 0; l < 4; ++l) row[l] = four(of[j[l]].velocity) - four(of[i[l]].velocity);
+    turn_into(row, g.vx + k, g.vy + k, g.vz + k, nullptr);
+    for (int l = 0; l < 4; ++l) row[l] = four(of[i[l]].angular_velocity);
+    turn_into(row, g.wix + k, g.wiy + k, g.wiz + k, g.ri + k);
+    for (int l = 0; l < 4; ++l) row[l] = four(of[j[l]].angular_velocity);
+    turn_into(row, g.wjx + k, g.wjy + k, g.wjz + k, g.rj + k);
   }
+  if constexpr (with_mass)
+    for (std::size_t k = 0; k < n; ++k) {
+      g.mi[k] = of[b.i[first + k]].mass;
+      g.mj[k] = of[b.j[first + k]].mass;
+    }
   for (std::size_t k = 0; k < n; ++k) {
     g.rest[k] = b.rest_length[first + k];
     g.intact[k] = double(b.state[first + k] == BondState::intact);
@@ -100,27 +117,44 @@ void gather_chunk(const PairBatch& b, std::size_t first, std::size_t n, bool wit
 /// as `complete_forces` has them for particles that are summed apart: from sums over the laws.
 template <bool moments, bool some_apart>
 BRECCIA_KERNEL void add_up(const PairBatch& b, std::size_t first, const PairChunk& g, const PairAnswer& e) {
-  for (std::size_t k = 0; k < g.size; ++k) {
-    const Index i = b.i[first + k], j = b.j[first + k];
-    if (!some_apart || !b.apart[i]) {
-      double *f = b.sum_force[i].data(), *t = b.sum_torque[i].data();
-      const double arm = g.ri[k] + e.half_gap[k];
-      f[0] += e.fx[k];
-      f[1] += e.fy[k];
-      f[2] += e.fz[k];
-      t[0] += moments ? arm * e.tx[k] + e.mx[k] : arm * e.tx[k];
-      t[1] += moments ? arm * e.ty[k] + e.my[k] : arm * e.ty[k];
-      t[2] += moments ? arm * e.tz[k] + e.mz[k] : arm * e.tz[k];
+  const Four none = {0, 0, 0, 0};
+  const std::size_t size = g.size;
+  ParticleLoad* const sum = b.sum;
+  const Index *const first_i = b.i + first, *const first_j = b.j + first;
+  const std::uint8_t* const apart = b.apart;
+  for (std::size_t k = 0; k < size; k += 4) {
+    const Four half_gap = four(e.half_gap + k), arm_i = four(g.ri + k) + half_gap, arm_j = four(g.rj + k) + half_gap;
+    const Four tx = four(e.tx + k), ty = four(e.ty + k), tz = four(e.tz + k);
+    Four force[4] = {four(e.fx + k), four(e.fy + k), four(e.fz + k), none},
+         on_i[4] = {arm_i * tx, arm_i * ty, arm_i * tz, none}, on_j[4] = {arm_j * tx, arm_j * ty, arm_j * tz, none};
+    if constexpr (moments) {
+      const Four moment[3] = {four(e.mx + k), four(e.my + k), four(e.mz + k)};
+      for (int c = 0; c < 3; ++c) {
+        on_i[c] += moment[c];
+        on_j[c] -= moment[c];
+      }
     }
-    if (!some_apart || !b.apart[j]) {
-      double *f = b.sum_force[j].data(), *t = b.sum_torque[j].data();
-      const double arm = g.rj[k] + e.half_gap[k];
-      f[0] -= e.fx[k];
-      f[1] -= e.fy[k];
-      f[2] -= e.fz[k];
-      t[0] += moments ? arm * e.tx[k] - e.mx[k] : arm * e.tx[k];
-      t[1] += moments ? arm * e.ty[k] - e.my[k] : arm * e.ty[k];
-      t[2] += moments ? arm * e.tz[k] - e.mz[k] : arm * e.tz[k];
+    transpose(force[0], force[1], force[2], force[3]);
+    transpose(on_i[0], on_i[1], on_i[2], on_i[3]);
+    transpose(on_j[0], on_j[1], on_j[2], on_j[3]);
+    const auto add = [&](std::size_t l) __attribute__((always_inline)) {
+      const Index i = first_i[k + l], j = first_j[k + l];
+      if (!some_apart || !apart[i]) {
+        four(sum[i].force) += force[l];
+        four(sum[i].torque) += on_i[l];
+      }
+      if (!some_apart || !apart[j]) {
+        four(sum[j].force) -= force[l];
+        four(sum[j].torque) += on_j[l];
+      }
+    };
+    if (const std::size_t some = size - k; some >= 4) {
+      add(0);
+      add(1);
+      add(2);
+      add(3);
+    } else {
+      for (std::size_t l = 0; l < some; ++l) add(l);
     }
   }
 }
@@ -146,7 +180,7 @@ BRECCIA_VECTOR_CLONES void scatter_chunk(const PairBatch& b, std::size_t at, std
     if (moments)
       for (std::size_t k = 0; k < n; ++k) b.moment[first + k] = Vec3(e.mx[k], e.my[k], e.mz[k]);
   }
-  if (!b.sum_force) return;
+  if (!b.sum) return;
   if (moments) some_apart ? add_up<true, true>(b, first, g, e) : add_up<true, false>(b, first, g, e);
   else some_apart ? add_up<false, true>(b, first, g, e) : add_up<false, false>(b, first, g, e);
 }
@@ -283,6 +317,7 @@ void Interactions::evaluate(const PairBatch& b) const {
   std::size_t at = b.chunk_start ? b.first_chunk : b.begin / PairBatch::chunk, n = 0;
   for (std::size_t first = b.begin; first < b.end; first += n, ++at) {
     n = b.chunk_start ? b.chunk_start[at + 1] - first : std::min(PairBatch::chunk, b.end - first);
+    fetch_ahead(b, first + n, std::min(first + 2 * n, b.end));
     gather_chunk(b, first, n, needs_mass_, chunk, images);
     for (std::size_t c = 0; c < columns_; ++c) rows[c] = b.columns[c] + first;
     Dissipated* dissipated = b.dissipated + laws_.size() * at;
@@ -336,11 +371,7 @@ PairBatch whole_batch(State& s, std::vector<double*>& column_pointers) {
   b.rest_length = s.pairs.rest_length.data();
   b.state = s.pairs.state.data();
   b.columns = column_pointers.data();
-  b.position = s.particles.position.data();
-  b.velocity = s.particles.velocity.data();
-  b.angular_velocity = s.particles.angular_velocity.data();
-  b.radius = s.particles.radius.data();
-  b.mass = s.particles.mass.data();
+  b.motion = s.particles.motion.data();
   b.id = s.particles.id.data();
   if (!s.particles.material.empty()) b.material = s.particles.material.data();
   b.materials = s.materials.size();

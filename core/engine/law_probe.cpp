@@ -22,11 +22,11 @@ std::string about(const State& s, std::size_t pair, const std::string& names) {
 }
 
 double distance(const State& s, std::size_t pair) {
-  return s.branch(s.particles.position[s.pairs.i[pair]], s.particles.position[s.pairs.j[pair]]).norm();
+  return s.branch(s.particles.position()[s.pairs.i[pair]], s.particles.position()[s.pairs.j[pair]]).norm();
 }
 
 double touching(const State& s, std::size_t pair) {
-  return s.particles.radius[s.pairs.i[pair]] + s.particles.radius[s.pairs.j[pair]];
+  return s.particles.radius()[s.pairs.i[pair]] + s.particles.radius()[s.pairs.j[pair]];
 }
 
 bool all_finite(const ContactStiffness& c) {
@@ -40,15 +40,14 @@ struct OnePair {
       : rest(s.pairs.rest_length[k]), state(s.pairs.state[k]), column(s.pairs.columns.size()), dissipated(laws) {
     const Index ends[] = {s.pairs.i[k], s.pairs.j[k]};
     for (int e = 0; e < 2; ++e) {
-      position[e] = s.particles.position[ends[e]];
-      radius[e] = s.particles.radius[ends[e]];
-      mass[e] = s.particles.mass[ends[e]];
+      motion[e] = s.particles.motion[ends[e]];
+      motion[e].velocity = motion[e].angular_velocity = Vec3::Zero();
       id[e] = s.particles.id[ends[e]];
       if (!s.particles.material.empty()) material[e] = s.particles.material[ends[e]];
     }
-    const Vec3 branch = s.branch(position[0], position[1]);
+    const Vec3 branch = s.branch(motion[0].position, motion[1].position);
     normal = branch.normalized();
-    position[1] = position[0] + branch + stretch * normal;
+    motion[1].position = motion[0].position + branch + stretch * normal;
     for (std::size_t c = 0; c < column.size(); ++c) column[c] = s.pairs.columns[c][k];
     for (double& c : column) columns.push_back(&c);
     batch.end = 1;
@@ -57,11 +56,7 @@ struct OnePair {
     batch.rest_length = &rest;
     batch.state = &state;
     batch.columns = columns.data();
-    batch.position = position;
-    batch.velocity = still;
-    batch.angular_velocity = still;
-    batch.radius = radius;
-    batch.mass = mass;
+    batch.motion = motion;
     batch.id = id;
     if (!s.particles.material.empty()) batch.material = material;
     batch.materials = s.materials.size();
@@ -80,9 +75,9 @@ struct OnePair {
   BondState state;
   std::vector<double> column;
   std::vector<double*> columns;
-  Vec3 position[2], still[2] = {Vec3::Zero(), Vec3::Zero()}, normal, moment = Vec3::Zero();
+  ParticleMotion motion[2];
+  Vec3 normal, moment = Vec3::Zero();
   std::vector<Dissipated> dissipated;
-  double radius[2], mass[2];
   PairForce force{};
   std::uint8_t broke = 0;
   PairBatch batch;

@@ -15,7 +15,7 @@ double Simulation::unbalanced_force_ratio() {
   std::vector<std::uint8_t> held(state_.particles.size());
   for (std::size_t a = 0; a < held.size(); ++a)
     held[a] = (state_.particles.held[a] & ~(state_.dimension == 2 ? dof::out_of_plane : 0)) != 0;
-  return breccia::unbalanced_force_ratio(state_.particles.force, state_.pairs.force, held);
+  return breccia::unbalanced_force_ratio(state_.particles.force(), state_.pairs.force, held);
 }
 
 BondStiffness Simulation::bond_stiffness() {
@@ -48,7 +48,7 @@ BondStiffness Simulation::bond_stiffness() {
   if (intact == 0) return result;
   result.mean_normal /= double(intact);
   result.modulus /= state_.specimen.volume * state_.dimension;
-  const auto& m = state_.particles.mass;
+  const auto m = state_.particles.mass();
   result.wave_speed = std::sqrt(result.modulus * state_.specimen.volume / std::accumulate(m.begin(), m.end(), 0.0));
   return result;
 }
@@ -56,7 +56,7 @@ BondStiffness Simulation::bond_stiffness() {
 SpecimenShape Simulation::set_specimen_axis(const Vec3& axis) {
   const SpecimenShape& old = state_.specimen;
   state_.specimen =
-      measure_specimen(state_.particles.position, state_.particles.radius, old.outline, axis, state_, old.volume);
+      measure_specimen(state_.particles.position(), state_.particles.radius(), old.outline, axis, state_, old.volume);
   return state_.specimen;
 }
 
@@ -66,12 +66,13 @@ void Simulation::mark_start_of_loading() {
   state_.dissipated.assign(laws_.size(), {});
   state_.energy.boundary_work = wall_work_ahead(state_) - led_work_behind(state_) - cell_work_behind(state_);
   state_.energy.initial = elastic_energy() + kinetic_energy(state_);
-  state_.particles.reference_position = state_.particles.position;
+  const auto position = state_.particles.position();
+  state_.particles.reference_position.assign(position.begin(), position.end());
   state_.reference_cell = state_.cell;
   for (Wall& w : state_.walls) w.displacement.setZero();
   const SpecimenShape& old = state_.specimen;
-  state_.specimen =
-      measure_specimen(state_.particles.position, state_.particles.radius, old.outline, old.axis, state_, old.volume);
+  state_.specimen = measure_specimen(state_.particles.position(), state_.particles.radius(), old.outline, old.axis,
+                                     state_, old.volume);
   loading_started_ = true;
 }
 
@@ -134,8 +135,8 @@ void Simulation::hold(Index a, std::uint8_t mask, const Vec3& velocity, const Ve
     now = to;
   };
   for (int k = 0; k < 3; ++k) {
-    if (mask >> k & 1) lead(p.velocity[a][k], velocity[k], p.mass[a], k);
-    if (mask >> (k + 3) & 1) lead(p.angular_velocity[a][k], angular_velocity[k], p.inertia[a], k + 3);
+    if (mask >> k & 1) lead(p.velocity()[a][k], velocity[k], p.mass()[a], k);
+    if (mask >> (k + 3) & 1) lead(p.angular_velocity()[a][k], angular_velocity[k], p.inertia()[a], k + 3);
   }
   if (forces_known_) settle_led();
 }
@@ -145,7 +146,7 @@ void Simulation::hold(Index a, std::uint8_t mask, const Vec3& velocity, const Ve
 void Simulation::settle_led() {
   const Particles& p = state_.particles;
   for (const Led& l : led_) {
-    const double load = l.component < 3 ? p.force[l.particle][l.component] : p.torque[l.particle][l.component - 3];
+    const double load = l.component < 3 ? p.force()[l.particle][l.component] : p.torque()[l.particle][l.component - 3];
     state_.energy.boundary_work += 0.5 * state_.time_step * load * l.by;
   }
   led_.clear();

@@ -28,8 +28,8 @@ NeighbourSearch::NeighbourSearch(const Space& space, const Particles& p, double 
     : space_(space),
       p_(p),
       skin_(skin),
-      reach_(2 * *std::max_element(p.radius.begin(), p.radius.end()) + skin),
-      images_(space, p.position, reach_),
+      reach_(2 * *std::max_element(p.radius().begin(), p.radius().end()) + skin),
+      images_(space, p.position(), reach_),
       grid_(images_.position, reach_) {
   refuse_narrow_cell(space, reach_);
   const auto members = grid_.members();
@@ -39,14 +39,14 @@ NeighbourSearch::NeighbourSearch(const Space& space, const Particles& p, double 
     x_[m] = at.x();
     y_[m] = at.y();
     z_[m] = at.z();
-    r_[m] = p.radius[images_.of[members[m]]];
+    r_[m] = p.radius()[images_.of[members[m]]];
   }
 }
 
 void NeighbourSearch::append_partners(Index i, std::vector<Index>& out) const {
   double over[block];
   const Vec3& at = images_.position[i];
-  const double reach = p_.radius[i] + skin_;
+  const double reach = p_.radius()[i] + skin_;
   grid_.for_each_run_near(at, [&](std::size_t begin, std::size_t end) {
     for (std::size_t m = begin; m < end; m += block) {
       const std::size_t n = std::min(block, end - m);
@@ -54,7 +54,7 @@ void NeighbourSearch::append_partners(Index i, std::vector<Index>& out) const {
       for (std::size_t k = 0; k < n; ++k) {
         if (over[k] >= 0) continue;
         const Index j = images_.of[grid_.members()[m + k]];
-        if (j > i && space_.branch(p_.position[i], p_.position[j]).norm() < p_.radius[i] + p_.radius[j] + skin_)
+        if (j > i && space_.branch(p_.position()[i], p_.position()[j]).norm() < p_.radius()[i] + p_.radius()[j] + skin_)
           out.push_back(j);
       }
     }

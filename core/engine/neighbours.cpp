@@ -10,7 +10,7 @@ namespace breccia {
 namespace {
 
 double distance(const State& s, Index i, Index j) {
-  return s.branch(s.particles.position[i], s.particles.position[j]).norm();
+  return s.branch(s.particles.position()[i], s.particles.position()[j]).norm();
 }
 
 /// Rows of `pairs` that start with each i: [start[i], start[i + 1]).
@@ -48,7 +48,7 @@ class Memory {
   }
   bool holds(std::size_t row) {
     const Index i = old_.i[row], j = old_.j[row];
-    const auto& r = s_.particles.radius;
+    const auto r = s_.particles.radius();
     if (old_.bond[row] == PairsView::no_bond && old_.rest_length[row] < r[i] + r[j]) return true;
     BondState state = old_.state[row];
     batch_.i = &i;
@@ -81,7 +81,7 @@ struct Rows {
 /// The farthest from where the strain of the space alone would have taken it, all but a motion in common.
 double largest_against(const State& s, const std::vector<Vec3>& from, const Cell& cell) {
   const Mat3 growth = Mat3::Identity() + (s.cell.vectors() - cell.vectors()) * cell.inverse();
-  const auto& x = s.particles.position;
+  const auto x = s.particles.position();
   Vec3 mean = Vec3::Zero();
   for (std::size_t k = 0; k < x.size(); ++k) mean += (x[k] - growth * from[k]) / double(x.size());
   double most = 0;
@@ -116,7 +116,7 @@ void rebuild_pairs(State& s, const Interactions& law, double skin, Pairs& spare,
         if (s.bonds.state[k] == BondState::intact || distance(s, i, s.bonds.j[k]) < s.bonds.initial_distance[k] + skin)
           partners.push_back(s.bonds.j[k]);
       for (std::size_t k = old_start[i]; k < old_start[i + 1]; ++k)
-        if (distance(s, i, old.j[k]) >= p.radius[i] + p.radius[old.j[k]] + skin && memory.holds(k))
+        if (distance(s, i, old.j[k]) >= p.radius()[i] + p.radius()[old.j[k]] + skin && memory.holds(k))
           partners.push_back(old.j[k]);
       std::sort(partners.begin(), partners.end());
       partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
@@ -174,13 +174,13 @@ void rebuild_pairs(State& s, const Interactions& law, double skin, Pairs& spare,
         q.bond[k] = bonded ? Index(at - s.bonds.j.begin()) : PairsView::no_bond;
         q.state[k] = bonded ? s.bonds.state[q.bond[k]] : BondState::unbonded;
         q.rest_length[k] =
-            bonded ? s.bonds.initial_distance[q.bond[k]] : std::min(distance(s, i, j), p.radius[i] + p.radius[j]);
+            bonded ? s.bonds.initial_distance[q.bond[k]] : std::min(distance(s, i, j), p.radius()[i] + p.radius()[j]);
       }
       if (q.bond[k] != PairsView::no_bond) s.bonds.pair[q.bond[k]] = Index(k);
     }
     begin_history(start + count);
   }
-  s.positions_at_rebuild = p.position;
+  s.positions_at_rebuild.assign(p.position().begin(), p.position().end());
   s.cell_at_rebuild = s.cell;
   s.moved_bound = s.walls_moved = s.strained = 0;
 }
@@ -221,7 +221,7 @@ double largest_displacement(const State& s, const std::vector<Vec3>& from, const
   double most = 0;
 #pragma omp parallel for schedule(static) num_threads(threads) reduction(max : most)
   for (std::size_t k = 0; k < s.particles.size(); ++k)
-    most = std::max(most, (s.particles.position[k] - from[k]).squaredNorm());
+    most = std::max(most, (s.particles.position()[k] - from[k]).squaredNorm());
   return std::sqrt(most);
 }
 

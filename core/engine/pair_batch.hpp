@@ -20,8 +20,7 @@ struct PairBatch {
   BondState* state = nullptr;
   const std::uint8_t* guarded = nullptr;  ///< 1 for pairs whose bond must not break; null when there are none
   double* const* columns = nullptr;       ///< the laws' history, one array each
-  const Vec3 *position = nullptr, *velocity = nullptr, *angular_velocity = nullptr;
-  const double *radius = nullptr, *mass = nullptr;
+  const ParticleMotion* motion = nullptr;
   const std::uint8_t* material = nullptr;  ///< of the particles; null where there is but one
   std::size_t materials = 1;
   const Index* id = nullptr;  ///< of the particles, in the packing
@@ -30,7 +29,7 @@ struct PairBatch {
   bool keep_force = true;  ///< write `force` and `moment` of all chunks, not only of those set apart
   /// Sums per particle, added to in the order of the pairs; none if null. Particles in `apart` are left out: they have
   /// pairs in other batches. `chunk_apart` marks the chunks with pairs of such particles.
-  Vec3 *sum_force = nullptr, *sum_torque = nullptr;
+  ParticleLoad* sum = nullptr;
   const std::uint8_t *apart = nullptr, *chunk_apart = nullptr;
   Dissipated* dissipated = nullptr;     ///< added to: one per chunk and law, those of a chunk side by side
   std::uint8_t* chunk_broke = nullptr;  ///< one per chunk, set when a bond in it broke

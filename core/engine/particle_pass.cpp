@@ -7,41 +7,112 @@
 #include <optional>
 
 #include "breccia/contact.hpp"
+#include "engine/four.hpp"
 
 namespace breccia {
 namespace {
 
 constexpr std::size_t block = particle_block;
 
-/// Advances n velocity vectors, three numbers each, as one vector loop. Bits 0 to 2 of held >> shift: components that
-/// keep their velocity. Yields the energy that damping took, and the work of the hands that hold.
-BRECCIA_VECTOR_CLONES void advance(double* v, const double* load, const double* mass, const std::uint8_t* held,
-                                   int shift, std::size_t n, double alpha, double dt, double* lost, double* work) {
+/// Velocities and what drives them of a few particles, as arrays.
+struct alignas(64) Drive {
+  static constexpr std::size_t n = 64;
+  double vx[n], vy[n], vz[n], lx[n], ly[n], lz[n], inertia[n];
+};
+
+/// Of each particle of a block, in this step: the energy that damping took, and the work of the hands that hold [J].
+struct Losses {
+  double damped[block], held[block];
+};
+
+/// One member of each of n records, turned into arrays, and back.
+template <class Record>
+BRECCIA_KERNEL void turn_in(const Record* of, Vec3 Record::*member, std::size_t n, double* x, double* y, double* z) {
+  for (std::size_t k = 0; k < n; k += 4) {
+    const auto at = [&](std::size_t l) __attribute__((always_inline))->const Vec3& {
+      return of[std::min(k + l, n - 1)].*member;
+    };
+    Four row[4] = {four(at(0)), four(at(1)), four(at(2)), four(at(3))};
+    transpose(row[0], row[1], row[2], row[3]);
+    four(x + k) = row[0];
+    four(y + k) = row[1];
+    four(z + k) = row[2];
+  }
+}
+BRECCIA_KERNEL void turn_back(ParticleMotion* of, Vec3 ParticleMotion::*member, double ParticleMotion::*behind,
+                              std::size_t n, const double* x, const double* y, const double* z) {
+  std::size_t k = 0;
+  for (; k + 4 <= n; k += 4) {
+    Four a = four(x + k), b = four(y + k), c = four(z + k),
+         d = {of[k].*behind, of[k + 1].*behind, of[k + 2].*behind, of[k + 3].*behind};
+    transpose(a, b, c, d);
+    four(of[k].*member) = a;
+    four(of[k + 1].*member) = b;
+    four(of[k + 2].*member) = c;
+    four(of[k + 3].*member) = d;
+  }
+  for (; k < n; ++k) of[k].*member = Vec3(x[k], y[k], z[k]);
+}
+
+/// Advances n velocities as one vector loop. Bits 0 to 2 of held >> shift: components that keep their velocity.
+BRECCIA_KERNEL void advance(Drive& d, const std::uint8_t* held, int shift, std::size_t n, double alpha, double dt,
+                            double* lost, double* work) {
 #pragma omp simd
   for (std::size_t k = 0; k < n; ++k) {
     const int bits = held[k] >> shift;
     const double ox = bits & 1 ? 0.0 : 1.0, oy = bits & 2 ? 0.0 : 1.0, oz = bits & 4 ? 0.0 : 1.0;
-    const double vx = v[3 * k], vy = v[3 * k + 1], vz = v[3 * k + 2], lx = load[3 * k], ly = load[3 * k + 1],
-                 lz = load[3 * k + 2];
+    const double vx = d.vx[k], vy = d.vy[k], vz = d.vz[k], lx = d.lx[k], ly = d.ly[k], lz = d.lz[k];
     const double fx = ox * lx, fy = oy * ly, fz = oz * lz, ux = ox * vx, uy = oy * vy, uz = oz * vz;
     const double speed2 = ux * ux + (uy * uy + uz * uz), force2 = fx * fx + (fy * fy + fz * fz);
     const bool drags = (alpha > 0) & (speed2 > 0);
     const double share = -alpha * std::sqrt(force2 / (drags ? speed2 : 1.0));
     const double dx = drags ? ux * share : 0.0, dy = drags ? uy * share : 0.0, dz = drags ? uz * share : 0.0;
-    const double mobility = dt / mass[k], gx = mobility * (fx + dx), gy = mobility * (fy + dy),
+    const double mobility = dt / d.inertia[k], gx = mobility * (fx + dx), gy = mobility * (fy + dy),
                  gz = mobility * (fz + dz);
     lost[k] = -(dx * (vx + 0.5 * gx) + (dy * (vy + 0.5 * gy) + dz * (vz + 0.5 * gz))) * dt;
     work[k] = -((lx - fx) * vx + ((ly - fy) * vy + (lz - fz) * vz)) * dt;  // they oppose the resultant
-    v[3 * k] = vx + gx;
-    v[3 * k + 1] = vy + gy;
-    v[3 * k + 2] = vz + gz;
+    d.vx[k] = vx + gx;
+    d.vy[k] = vy + gy;
+    d.vz[k] = vz + gz;
   }
+}
+
+BRECCIA_VECTOR_CLONES void advance_velocities(ParticleMotion* m, const ParticleLoad* load, const std::uint8_t* held,
+                                              std::size_t n, double alpha, double dt, Losses& out) {
+  Drive d;
+  for (std::size_t first = 0, some; first < n; first += some) {
+    some = std::min(Drive::n, n - first);
+    turn_in(m + first, &ParticleMotion::velocity, some, d.vx, d.vy, d.vz);
+    turn_in(load + first, &ParticleLoad::force, some, d.lx, d.ly, d.lz);
+    for (std::size_t k = 0; k < some; ++k) d.inertia[k] = m[first + k].mass;
+    advance(d, held + first, 0, some, alpha, dt, out.damped + first, out.held + first);
+    turn_back(m + first, &ParticleMotion::velocity, &ParticleMotion::inertia, some, d.vx, d.vy, d.vz);
+  }
+}
+
+BRECCIA_VECTOR_CLONES void advance_spins(ParticleMotion* m, const ParticleLoad* load, const std::uint8_t* held,
+                                         std::size_t n, double alpha, double dt, Losses& out) {
+  Drive d;
+  for (std::size_t first = 0, some; first < n; first += some) {
+    some = std::min(Drive::n, n - first);
+    turn_in(m + first, &ParticleMotion::angular_velocity, some, d.vx, d.vy, d.vz);
+    turn_in(load + first, &ParticleLoad::torque, some, d.lx, d.ly, d.lz);
+    for (std::size_t k = 0; k < some; ++k) d.inertia[k] = m[first + k].inertia;
+    advance(d, held + first, 3, some, alpha, dt, out.damped + first, out.held + first);
+    turn_back(m + first, &ParticleMotion::angular_velocity, &ParticleMotion::radius, some, d.vx, d.vy, d.vz);
+  }
+}
+
+/// Positions by a step of `dt`; what stands behind them stays.
+BRECCIA_VECTOR_CLONES void advance_positions(ParticleMotion* m, std::size_t n, double dt) {
+  const Four step = {dt, dt, dt, 0};
+  for (std::size_t k = 0; k < n; ++k) four(m[k].position) += step * four(m[k].velocity);
 }
 
 /// What applied forces do in half a step at the present velocities [J].
 double half_applied_work(const Particles& p, std::size_t first, std::size_t end, double dt) {
   double sum = 0;
-  for (std::size_t a = first; a < end; ++a) sum += p.applied_force[a].dot(p.velocity[a]);
+  for (std::size_t a = first; a < end; ++a) sum += p.applied_force[a].dot(p.velocity()[a]);
   return 0.5 * dt * sum;
 }
 
@@ -52,9 +123,9 @@ double largest_speed(const Particles& p, std::size_t first, std::size_t end) {
   double fastest = 0;
   bool finite = true;
   for (std::size_t a = first; a < end; ++a) {
-    const double speed2 = p.velocity[a].squaredNorm();
+    const double speed2 = p.velocity()[a].squaredNorm();
     fastest = std::max(fastest, speed2);
-    finite &= (speed2 < infinity) & (p.angular_velocity[a].squaredNorm() < infinity);
+    finite &= (speed2 < infinity) & (p.angular_velocity()[a].squaredNorm() < infinity);
   }
   return finite ? std::sqrt(fastest) : infinity;
 }
@@ -62,10 +133,8 @@ double largest_speed(const Particles& p, std::size_t first, std::size_t end) {
 }  // namespace
 
 void clear_forces(State& s, const Share& share) {
-  std::fill(s.particles.force.begin() + share.first_particle, s.particles.force.begin() + share.end_particle,
-            Vec3::Zero());
-  std::fill(s.particles.torque.begin() + share.first_particle, s.particles.torque.begin() + share.end_particle,
-            Vec3::Zero());
+  std::fill(s.particles.load.begin() + share.first_particle, s.particles.load.begin() + share.end_particle,
+            ParticleLoad{});
 }
 
 void complete_forces(State& s, const Share& share, const Incidence& in, const ExternalLoads& loads) {
@@ -74,18 +143,18 @@ void complete_forces(State& s, const Share& share, const Incidence& in, const Ex
   for (const Index a : share.apart)
     for (std::size_t e = in.start[a]; e < in.start[a + 1]; ++e) {
       const PairForce& q = s.pairs.force[in.entry[e] >> 1];
-      const double sign = in.entry[e] & 1 ? -1.0 : 1.0, arm = p.radius[a] + q.half_gap;
+      const double sign = in.entry[e] & 1 ? -1.0 : 1.0, arm = p.radius()[a] + q.half_gap;
       Vec3 torque(arm * q.tx, arm * q.ty, arm * q.tz);
       if (moment) torque += sign * moment[in.entry[e] >> 1];
-      p.force[a] += sign * Vec3(q.fx, q.fy, q.fz);
-      p.torque[a] += torque;
+      p.force()[a] += sign * Vec3(q.fx, q.fy, q.fz);
+      p.torque()[a] += torque;
     }
   for (Index first = share.first_particle, end; first < share.end_particle; first = end) {
     end = std::min(share.end_particle, Index((first / ExternalLoads::group + 1) * ExternalLoads::group));
     if (!loads.any(first)) continue;
     for (Index a = first; a < end; ++a) {
-      p.force[a] += loads.force(a);
-      p.torque[a] += loads.torque(a);
+      p.force()[a] += loads.force(a);
+      p.torque()[a] += loads.torque(a);
     }
   }
 }
@@ -98,19 +167,19 @@ class SeenFromCell {
   SeenFromCell(Particles& p, const CellMotion& motion, std::size_t first, std::size_t end)
       : p_(p), first_(first), end_(end) {
     for (std::size_t a = first_; a < end_; ++a) {
-      const Vec3 from = p.position[a] - motion.centre;
+      const Vec3 from = p.position()[a] - motion.centre;
       Vec3 behind = motion.before * from;
       Vec3& ahead = ahead_[a - first_] = motion.after * from;
       for (int k = 0; k < 3; ++k)
         if (p.held[a] >> k & 1) behind[k] = ahead[k] = 0;
       push_[a - first_] = ahead - behind;
-      before_[a - first_] = p.velocity[a] -= behind;
+      before_[a - first_] = p.velocity()[a] -= behind;
     }
   }
   SeenFromCell(const SeenFromCell&) = delete;
   SeenFromCell& operator=(const SeenFromCell&) = delete;
   ~SeenFromCell() {
-    for (std::size_t a = first_; a < end_; ++a) p_.velocity[a] += ahead_[a - first_];
+    for (std::size_t a = first_; a < end_; ++a) p_.velocity()[a] += ahead_[a - first_];
   }
   /// Of the pushes, as of whoever leads a particle: its energy, and half a step at the old velocity [J].
   double push_work(double dt) const {
@@ -118,7 +187,7 @@ class SeenFromCell {
     for (std::size_t a = first_; a < end_; ++a) {
       const Vec3& push = push_[a - first_];
       const Vec3 middle = before_[a - first_] + ahead_[a - first_] - 0.5 * push;
-      sum += p_.mass[a] * push.dot(middle) + 0.5 * dt * p_.force[a].dot(push);
+      sum += p_.mass()[a] * push.dot(middle) + 0.5 * dt * p_.force()[a].dot(push);
     }
     return sum;
   }
@@ -126,7 +195,7 @@ class SeenFromCell {
   double damped(double dt) const {
     double sum = 0;
     for (std::size_t a = first_; a < end_; ++a) {
-      const Vec3 gained = p_.mass[a] * (p_.velocity[a] - before_[a - first_]) - dt * p_.force[a];
+      const Vec3 gained = p_.mass()[a] * (p_.velocity()[a] - before_[a - first_]) - dt * p_.force()[a];
       sum -= gained.dot(ahead_[a - first_]);
     }
     return sum;
@@ -147,7 +216,7 @@ PassSums integrate(State& s, const Damping& damping, const CellMotion& cell, boo
   for (std::ptrdiff_t b = 0; b < std::ptrdiff_t(blocks); ++b) {
     PassSums& sum = sums[b];
     const std::size_t first = std::size_t(b) * block, end = std::min(n, first + block);
-    double lost[2][block], work[2][block];
+    Losses moving, turning;
     if (any_applied) sum.boundary_work += half_applied_work(p, first, end, dt);
     {
       std::optional<SeenFromCell> seen;
@@ -155,20 +224,18 @@ PassSums integrate(State& s, const Damping& damping, const CellMotion& cell, boo
         seen.emplace(p, cell, first, end);
         sum.boundary_work += seen->push_work(dt);
       }
-      advance(p.velocity[first].data(), p.force[first].data(), &p.mass[first], &p.held[first], 0, end - first,
-              damping.translational, dt, lost[0], work[0]);
+      advance_velocities(&p.motion[first], &p.load[first], &p.held[first], end - first, damping.translational, dt,
+                         moving);
       if (seen) sum.damping += seen->damped(dt);
-      advance(p.angular_velocity[first].data(), p.torque[first].data(), &p.inertia[first], &p.held[first], 3,
-              end - first, damping.rotational, dt, lost[1], work[1]);
+      advance_spins(&p.motion[first], &p.load[first], &p.held[first], end - first, damping.rotational, dt, turning);
       sum.largest_speed = largest_speed(p, first, end);
     }
     if (any_applied) sum.boundary_work += half_applied_work(p, first, end, dt);
     for (std::size_t k = 0; k < end - first; ++k) {
-      sum.damping += lost[0][k] + lost[1][k];
-      sum.boundary_work += work[0][k] + work[1][k];
+      sum.damping += moving.damped[k] + turning.damped[k];
+      sum.boundary_work += moving.held[k] + turning.held[k];
     }
-    if (sum.largest_speed < infinity)
-      for (std::size_t a = first; a < end; ++a) p.position[a] += dt * p.velocity[a];
+    if (sum.largest_speed < infinity) advance_positions(&p.motion[first], end - first, dt);
   }
   PassSums total;
   for (const PassSums& sum : sums) {
@@ -183,8 +250,7 @@ void undo_positions(State& s) {
   Particles& p = s.particles;
   for (std::size_t first = 0; first < p.size(); first += block) {
     const std::size_t end = std::min(p.size(), first + block);
-    if (largest_speed(p, first, end) < infinity)
-      for (std::size_t a = first; a < end; ++a) p.position[a] -= s.time_step * p.velocity[a];
+    if (largest_speed(p, first, end) < infinity) advance_positions(&p.motion[first], end - first, -s.time_step);
   }
 }
 
@@ -193,8 +259,8 @@ double led_work_behind(const State& s) {
   double sum = 0;
   for (std::size_t a = 0; a < p.size(); ++a)
     for (int k = 0; k < 3; ++k) {
-      if (p.held[a] >> k & 1) sum -= p.force[a][k] * p.velocity[a][k];
-      if (p.held[a] >> (k + 3) & 1) sum -= p.torque[a][k] * p.angular_velocity[a][k];
+      if (p.held[a] >> k & 1) sum -= p.force()[a][k] * p.velocity()[a][k];
+      if (p.held[a] >> (k + 3) & 1) sum -= p.torque()[a][k] * p.angular_velocity()[a][k];
     }
   return 0.5 * s.time_step * sum;
 }
@@ -203,10 +269,10 @@ double kinetic_energy(const State& s) {
   const Particles& p = s.particles;
   double sum = 0;
   for (std::size_t a = 0; a < p.size(); ++a) {
-    sum += p.mass[a] * p.velocity[a].squaredNorm() + p.inertia[a] * p.angular_velocity[a].squaredNorm();
+    sum += p.mass()[a] * p.velocity()[a].squaredNorm() + p.inertia()[a] * p.angular_velocity()[a].squaredNorm();
     for (int k = 0; k < 3; ++k) {
-      if (!(p.held[a] >> k & 1)) sum += s.time_step * p.velocity[a][k] * p.force[a][k];
-      if (!(p.held[a] >> (k + 3) & 1)) sum += s.time_step * p.angular_velocity[a][k] * p.torque[a][k];
+      if (!(p.held[a] >> k & 1)) sum += s.time_step * p.velocity()[a][k] * p.force()[a][k];
+      if (!(p.held[a] >> (k + 3) & 1)) sum += s.time_step * p.angular_velocity()[a][k] * p.torque()[a][k];
     }
   }
   return 0.5 * sum;

@@ -23,7 +23,7 @@ constexpr double counted_reach = 0.3;
 Simulation::Simulation(State state, Interactions laws, const EngineSettings& settings)
     : state_(std::move(state)), laws_(std::move(laws)), settings_(settings) {
   state_.dissipated.resize(laws_.size());
-  const auto& r = state_.particles.radius;
+  const auto r = state_.particles.radius();
   const double mean_radius = std::accumulate(r.begin(), r.end(), 0.0) / double(r.size());
   skin_ = settings_.skin * mean_radius;
   reach_ = std::min(settings_.skin, counted_reach) * mean_radius;
@@ -36,8 +36,8 @@ BondingResult Simulation::bond(const BondingRule& rule, const std::optional<Spec
   Assembly a;
   a.dimension = state_.dimension;
   a.thickness = state_.thickness;
-  a.radius = state_.particles.radius;
-  a.mass = state_.particles.mass;
+  a.radius = state_.particles.radius();
+  a.mass = state_.particles.mass();
   a.bond_i = state_.bonds.i;
   a.bond_j = state_.bonds.j;
   a.porosity = told ? told->porosity : porosity();
@@ -47,7 +47,7 @@ BondingResult Simulation::bond(const BondingRule& rule, const std::optional<Spec
 }
 
 double Simulation::porosity() const {
-  return 1 - solid_volume(state_.particles.radius, state_) / state_.specimen.volume;
+  return 1 - solid_volume(state_.particles.radius(), state_) / state_.specimen.volume;
 }
 
 void Simulation::prepare() {
@@ -123,7 +123,8 @@ void Simulation::look() {
   }
   check_critical_step();
   state_.time_step = share_of_critical() * critical_;
-  state_.positions_at_look = state_.particles.position;
+  const auto position = state_.particles.position();
+  state_.positions_at_look.assign(position.begin(), position.end());
   state_.cell_at_look = state_.cell;
   state_.moved_since_look = state_.walls_moved_since_look = state_.strained_since_look = 0;
 }
@@ -140,11 +141,11 @@ double Simulation::share_of_critical() const {
 void Simulation::add_mass_for_step() {
   Particles& p = state_.particles;
   std::vector<double> factors;
-  added_mass_ = add_mass(p.mass, time_step_of_each(state_, laws_, incidence_, reach_, settings_.threads),
+  added_mass_ = add_mass(p.mass(), time_step_of_each(state_, laws_, incidence_, reach_, settings_.threads),
                          settings_.added_mass, factors);
   for (std::size_t a = 0; a < p.size(); ++a) {
-    p.mass[a] *= factors[a];
-    p.inertia[a] *= factors[a];
+    p.mass()[a] *= factors[a];
+    p.inertia()[a] *= factors[a];
   }
   mass_pending_ = added_mass_.particles == 0;
 }
@@ -183,8 +184,7 @@ void Simulation::forces(bool to_be_viewed) {
   all.chunk_start = chunks_.start.data();
   if (!laws_.has_kinds()) all.material = nullptr;  // nobody asks
   if (!guarded_pairs_.empty()) all.guarded = guarded_pairs_.data();
-  all.sum_force = s.particles.force.data();
-  all.sum_torque = s.particles.torque.data();
+  all.sum = s.particles.load.data();
   all.apart = partition_.apart.data();
   all.chunk_apart = partition_.chunk_apart.data();
   all.keep_force = pair_forces_known_ = to_be_viewed;
@@ -230,16 +230,16 @@ void Simulation::record_breaks() {
       if (b == PairsView::no_bond || s.bonds.state[b] == s.pairs.state[k]) continue;
       const Index i = s.pairs.i[k];
       const Index j = s.pairs.j[k];
-      const Vec3 branch = s.branch(s.particles.position[i], s.particles.position[j]);
+      const Vec3 branch = s.branch(s.particles.position()[i], s.particles.position()[j]);
       const double distance =
           std::sqrt(branch.x() * branch.x() + branch.y() * branch.y() + branch.z() * branch.z());  // as the loop has it
-      const double half_gap = 0.5 * (distance - s.particles.radius[i] - s.particles.radius[j]);
+      const double half_gap = 0.5 * (distance - s.particles.radius()[i] - s.particles.radius()[j]);
       broken_ += !is_broken(s.bonds.state[b]) && is_broken(s.pairs.state[k]);
       s.bonds.state[b] = s.pairs.state[k];
       s.bonds.break_time[b] = s.time;
       s.bonds.break_normal[b] = branch.normalized();
       s.bonds.break_position[b] =
-          s.particles.position[i] + (s.particles.radius[i] + half_gap) * s.bonds.break_normal[b];
+          s.particles.position()[i] + (s.particles.radius()[i] + half_gap) * s.bonds.break_normal[b];
     }
   }
 }
@@ -324,16 +324,16 @@ double Simulation::elastic_energy() {
 
 ParticlesView Simulation::particles() const {
   const Particles& p = state_.particles;
-  return {p.position,
-          p.velocity,
-          p.angular_velocity,
+  return {p.position(),
+          p.velocity(),
+          p.angular_velocity(),
           p.reference_position,
-          p.force,
-          p.torque,
+          p.force(),
+          p.torque(),
           p.applied_force,
           {},
-          p.radius,
-          p.mass,
+          p.radius(),
+          p.mass(),
           p.held,
           p.id,
           p.material};
@@ -348,7 +348,7 @@ std::vector<Mat3> boundary_moments(const Particles& p) {
   moment.resize(p.size(), Mat3::Zero());
   for (std::size_t a = 0; a < p.size(); ++a)
     for (int k = 0; k < 3; ++k)
-      if (p.held[a] >> k & 1) moment[a].col(k) -= p.force[a][k] * p.holding_arm[a];
+      if (p.held[a] >> k & 1) moment[a].col(k) -= p.force()[a][k] * p.holding_arm[a];
   return moment;
 }
 
@@ -378,8 +378,8 @@ SimulationView Simulation::view() {
   wall_contacts_.clear();
   for (const WallTouch& t : s.wall_touches) {
     if (t.overlap <= 0) continue;
-    const Vec3 arm = -(p.radius[t.particle] - t.overlap) * facing(s.walls[t.wall], p.position[t.particle]).normal;
-    wall_contacts_.push_back({t.particle, t.wall, p.position[t.particle] + arm, t.force});
+    const Vec3 arm = -(p.radius()[t.particle] - t.overlap) * facing(s.walls[t.wall], p.position()[t.particle]).normal;
+    wall_contacts_.push_back({t.particle, t.wall, p.position()[t.particle] + arm, t.force});
     ++wall_views_[t.wall].contacts;
   }
   v.materials = s.materials;

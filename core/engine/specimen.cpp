@@ -5,7 +5,7 @@
 
 namespace breccia {
 
-SpecimenShape measure_specimen(std::span<const Vec3> position, std::span<const double> radius,
+SpecimenShape measure_specimen(Strided<const Vec3> position, Strided<const double> radius,
                                SpecimenShape::Outline outline, const Vec3& axis, const Space& space,
                                double container_volume) {
   SpecimenShape s;
@@ -60,7 +60,7 @@ SpecimenShape measure_specimen(std::span<const Vec3> position, std::span<const d
   return s;
 }
 
-double solid_volume(std::span<const double> radius, const Space& space) {
+double solid_volume(Strided<const double> radius, const Space& space) {
   double sum = 0;
   for (const double r : radius) sum += space.dimension == 2 ? r * r * space.thickness : 4.0 / 3.0 * r * r * r;
   return std::numbers::pi * sum;

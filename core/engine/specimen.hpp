@@ -12,11 +12,11 @@ namespace breccia {
 /// of the bounding box, its radius is the farthest sphere surface from that axis. An irregular specimen has the volume
 /// of its container [m3], or of its bounding box when that is not known (0). Where space repeats itself the cell's edge
 /// counts in place of the particles' extent.
-SpecimenShape measure_specimen(std::span<const Vec3> position, std::span<const double> radius,
+SpecimenShape measure_specimen(Strided<const Vec3> position, Strided<const double> radius,
                                SpecimenShape::Outline outline, const Vec3& axis, const Space& space,
                                double container_volume = 0);
 
 /// Sum of the particles' own volumes [m3]; overlaps count twice.
-double solid_volume(std::span<const double> radius, const Space& space);
+double solid_volume(Strided<const double> radius, const Space& space);
 
 }  // namespace breccia

@@ -23,8 +23,8 @@ StiffnessOperator::StiffnessOperator(State& s, const Interactions& law, const In
     mine.end = std::min(pairs, mine.begin + PairBatch::chunk);
     law.stiffness(mine, &stiffness[mine.begin]);
     for (std::size_t q = mine.begin; q < mine.end; ++q) {
-      const Vec3 branch = s.branch(p.position[s.pairs.i[q]], p.position[s.pairs.j[q]]);
-      counts[q] = !(branch.norm() <= 0) && within_reach(s, q, p.position, reach);
+      const Vec3 branch = s.branch(p.position()[s.pairs.i[q]], p.position()[s.pairs.j[q]]);
+      counts[q] = !(branch.norm() <= 0) && within_reach(s, q, p.position(), reach);
       if (!counts[q]) continue;
       damped = damped || stiffness[q].damping > 0 || stiffness[q].shear_damping > 0;
       moments = moments || stiffness[q].bending > 0 || stiffness[q].torsion > 0;
@@ -46,8 +46,8 @@ StiffnessOperator::StiffnessOperator(State& s, const Interactions& law, const In
     if (within_reach(s, t, reach)) ends_[--next[t.particle]] = {end_of(s, t), Index(n)};
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::size_t a = 0; a < n; ++a) {
-    inverse_mass_[a] = 1 / p.mass[a];
-    inverse_inertia_[a] = 1 / p.inertia[a];
+    inverse_mass_[a] = 1 / p.mass()[a];
+    inverse_inertia_[a] = 1 / p.inertia()[a];
     std::size_t at = start_[a];
     for (std::size_t e = in.start[a]; e < in.start[a + 1]; ++e) {
       const std::size_t q = in.entry[e] >> 1;

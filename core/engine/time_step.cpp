@@ -63,7 +63,8 @@ class Restraints {
       const std::size_t q = in_.entry[e] >> 1;
       const bool second = in_.entry[e] & 1;
       const Index i = s_.pairs.i[q], j = s_.pairs.j[q];
-      if (s_.branch(p.position[i], p.position[j]).norm() <= 0 || !within_reach(s_, q, p.position, reach_)) continue;
+      if (s_.branch(p.position()[i], p.position()[j]).norm() <= 0 || !within_reach(s_, q, p.position(), reach_))
+        continue;
       PairBatch one = batch_;
       one.begin = q;
       one.end = q + 1;
@@ -80,7 +81,7 @@ class Restraints {
       if (const WallTouch& touch = s_.wall_touches[touch_[t]]; within_reach(s_, touch, reach_))
         add_contact(r.stiffness, end_of(s_, touch));
     Vec6 scale;
-    const double m = 1 / std::sqrt(p.mass[a]), turn = 1 / std::sqrt(p.inertia[a]);
+    const double m = 1 / std::sqrt(p.mass()[a]), turn = 1 / std::sqrt(p.inertia()[a]);
     scale << m, m, m, turn, turn, turn;
     for (int c = 0; c < 6; ++c)
       if (p.held[a] >> c & 1) scale[c] = 0;
@@ -164,7 +165,7 @@ std::optional<StepSetter> find_step_setter(State& s, const Interactions& law, co
 }
 
 std::vector<Index> newly_within_reach(const State& s, double reach, const std::vector<WallTouch>* known) {
-  const auto& now = s.particles.position;
+  const auto now = s.particles.position();
   const auto& then = s.positions_at_look;
   std::vector<std::uint8_t> is_new(now.size(), 0);
   for (std::size_t k = 0; k < s.pairs.size(); ++k)

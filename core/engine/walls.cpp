@@ -22,7 +22,7 @@ void rebuild_wall_touches(State& s, double reach) {
   for (Index w = 0; w < s.walls.size(); ++w) {
     const Wall& wall = s.walls[w];
     for (Index a = 0; a < s.particles.size(); ++a) {
-      if (facing(wall, s.particles.position[a]).distance - s.particles.radius[a] > reach) continue;
+      if (facing(wall, s.particles.position()[a]).distance - s.particles.radius()[a] > reach) continue;
       while (next < old.size() && (old[next].wall < w || (old[next].wall == w && old[next].particle < a))) ++next;
       const bool known = next < old.size() && old[next].wall == w && old[next].particle == a;
       s.wall_touches.push_back(known ? old[next] : WallTouch{a, w});
@@ -40,8 +40,8 @@ void wall_forces(State& s, ExternalLoads& loads) {
   }
   for (WallTouch& t : s.wall_touches) {
     Wall& w = s.walls[t.wall];
-    const double r = p.radius[t.particle];
-    const Facing f = facing(w, p.position[t.particle]);
+    const double r = p.radius()[t.particle];
+    const Facing f = facing(w, p.position()[t.particle]);
     t.overlap = r - f.distance;
     t.force.setZero();
     if (t.overlap <= 0) {
@@ -53,9 +53,9 @@ void wall_forces(State& s, ExternalLoads& loads) {
     if (w.friction > 0) {
       // As between particles (`follow_plane`): the velocities belong to the middle of the step, and so does the
       // geometry that they are measured in. A cylinder's normal turns as the particle slides round.
-      const Vec3 relative = p.velocity[t.particle] - w.velocity;
-      const Facing middle = facing(w, p.position[t.particle] - 0.5 * dt * relative);
-      Vec3 slip = relative - middle.distance * p.angular_velocity[t.particle].cross(middle.normal);
+      const Vec3 relative = p.velocity()[t.particle] - w.velocity;
+      const Facing middle = facing(w, p.position()[t.particle] - 0.5 * dt * relative);
+      Vec3 slip = relative - middle.distance * p.angular_velocity()[t.particle].cross(middle.normal);
       slip -= slip.dot(middle.normal) * middle.normal;
       slip -= slip.dot(f.normal) * f.normal;
       t.spring -= 2 * t.spring.dot(middle.normal) * middle.normal;

@@ -12,19 +12,64 @@
 
 namespace breccia {
 
-/// One row per particle, in spatial (Morton) order. Velocities belong to the middle of the last step.
+/// What a pair needs to know of a particle, in one place: a pair meets its particles wherever they stand in memory, and
+/// each place costs a cache line. Three vectors of four numbers, see `engine/four.hpp`.
+struct alignas(32) ParticleMotion {
+  Vec3 position = Vec3::Zero();          // [m]
+  double mass = 0;                       // [kg]
+  Vec3 velocity = Vec3::Zero();          ///< in the middle of the last step [m/s]
+  double inertia = 0;                    // [kg m2]
+  Vec3 angular_velocity = Vec3::Zero();  ///< in the middle of the last step [rad/s]
+  double radius = 0;                     // [m]
+};
+
+/// Where pairs add to: a cache line. Undamped resultants of the last force evaluation.
+struct alignas(64) ParticleLoad {
+  Vec3 force = Vec3::Zero();  // [N]
+  double unused = 0;
+  Vec3 torque = Vec3::Zero();  // [N m]
+  double unused_too = 0;
+};
+
+/// One row per particle, in spatial (Morton) order.
 struct Particles {
-  std::vector<Vec3> position, velocity, angular_velocity;  // [m], [m/s], [rad/s]
-  std::vector<Vec3> force, torque;       ///< undamped resultants of the last force evaluation [N], [N m]
+  std::vector<ParticleMotion> motion;
+  std::vector<ParticleLoad> load;
   std::vector<Vec3> reference_position;  ///< at the start of loading [m]
   std::vector<Vec3> applied_force;       ///< by the protocol [N]
   std::vector<Mat3> applied_moment;      ///< (point - centre) (x) force [N m]; empty until there is one
-  std::vector<Vec3> holding_arm;  ///< from the centre to where a holding force acts [m]; empty until there is one
-  std::vector<double> radius, mass, inertia;  // [m], [kg], [kg m2]
-  std::vector<std::uint8_t> held;             ///< bits of `dof`
-  std::vector<Index> id;                      ///< row in the packing
-  std::vector<std::uint8_t> material;         ///< row of `State::materials`; empty when there is but one
-  std::size_t size() const { return radius.size(); }
+  std::vector<Vec3> holding_arm;       ///< from the centre to where a holding force acts [m]; empty until there is one
+  std::vector<std::uint8_t> held;      ///< bits of `dof`
+  std::vector<Index> id;               ///< row in the packing
+  std::vector<std::uint8_t> material;  ///< row of `State::materials`; empty when there is but one
+  std::size_t size() const { return motion.size(); }
+
+  Strided<Vec3> position() { return member(motion, &ParticleMotion::position); }
+  Strided<Vec3> velocity() { return member(motion, &ParticleMotion::velocity); }
+  Strided<Vec3> angular_velocity() { return member(motion, &ParticleMotion::angular_velocity); }
+  Strided<double> mass() { return member(motion, &ParticleMotion::mass); }
+  Strided<double> inertia() { return member(motion, &ParticleMotion::inertia); }
+  Strided<double> radius() { return member(motion, &ParticleMotion::radius); }
+  Strided<Vec3> force() { return member(load, &ParticleLoad::force); }
+  Strided<Vec3> torque() { return member(load, &ParticleLoad::torque); }
+  Strided<const Vec3> position() const { return member(motion, &ParticleMotion::position); }
+  Strided<const Vec3> velocity() const { return member(motion, &ParticleMotion::velocity); }
+  Strided<const Vec3> angular_velocity() const { return member(motion, &ParticleMotion::angular_velocity); }
+  Strided<const double> mass() const { return member(motion, &ParticleMotion::mass); }
+  Strided<const double> inertia() const { return member(motion, &ParticleMotion::inertia); }
+  Strided<const double> radius() const { return member(motion, &ParticleMotion::radius); }
+  Strided<const Vec3> force() const { return member(load, &ParticleLoad::force); }
+  Strided<const Vec3> torque() const { return member(load, &ParticleLoad::torque); }
+
+ private:
+  template <class Record, class T>
+  static Strided<T> member(std::vector<Record>& of, T Record::*which) {
+    return {of.empty() ? nullptr : &(of.data()->*which), of.size(), sizeof(Record)};
+  }
+  template <class Record, class T>
+  static Strided<const T> member(const std::vector<Record>& of, T Record::*which) {
+    return {of.empty() ? nullptr : &(of.data()->*which), of.size(), sizeof(Record)};
+  }
 };
 
 /// Pairs that the force loop visits, sorted by (i, j) with i < j.

@@ -189,7 +189,7 @@ class Drive {
     // Shear by turning both particles the same way, so that the line of centres stays; bending without shear.
     const double roll_i = (-shear - (s_.radius_j + half_gap) * bend) / middle,
                  roll_j = (-shear + (s_.radius_i + half_gap) * bend) / middle;
-    const double way = distance - sim.state().particles.position[1].x();
+    const double way = distance - sim.state().particles.position()[1].x();
     sim.hold(0, dof::all, Vec3::Zero(), Vec3(-0.5 * twist, 0, roll_i) / dt);
     sim.hold(1, dof::all, Vec3(way, 0, 0) / dt, Vec3(0.5 * twist, 0, roll_j) / dt);
     const BondState before = sim.state().pairs.state[0];

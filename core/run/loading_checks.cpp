@@ -16,7 +16,7 @@ double fastest_boundary(const State& s) {
   for (int k = 0; k < 3; ++k) fastest = std::max(fastest, s.cell_velocity.col(k).norm());
   for (std::size_t a = 0; a < s.particles.size(); ++a)
     for (int k = 0; k < 3; ++k)
-      if (s.particles.held[a] >> k & 1) fastest = std::max(fastest, std::abs(s.particles.velocity[a][k]));
+      if (s.particles.held[a] >> k & 1) fastest = std::max(fastest, std::abs(s.particles.velocity()[a][k]));
   return fastest;
 }
 
@@ -26,13 +26,13 @@ void check_time_step(Simulation& simulation, const ChecksConfig& limits, Host& h
   const auto found = simulation.step_setter(limits.time_step_ratio);
   if (!found) return;
   const Particles& p = simulation.state().particles;
-  const Vec3& x = p.position[found->particle];
+  const Vec3& x = p.position()[found->particle];
   host.warn(fmt::format(
       "particle {} of the packing (radius {:.4g} m, at {:.4g}, {:.4g}, {:.4g} m){} makes the time step {:.3g} times "
       "shorter than it were without {}: the critical one, by the bound of single particles, is {:.3g} s instead of "
       "{:.3g} s. Is it too small, or does it "
       "overlap others or a wall too much?",
-      p.id[found->particle], p.radius[found->particle], x.x(), x.y(), x.z(),
+      p.id[found->particle], p.radius()[found->particle], x.x(), x.y(), x.z(),
       found->others ? fmt::format(", with {} more,", found->others) : "", found->without / found->step,
       found->others ? "them" : "it", found->step, found->without));
 }
@@ -71,15 +71,15 @@ void LoadingChecks::look_for_speed(Simulation& simulation, Host& host) {
 void LoadingChecks::look_for_overlaps(const State& s) {
   wall_overlap_.resize(s.walls.size(), 0);
   for (const WallTouch& t : s.wall_touches)
-    wall_overlap_[t.wall] = std::max(wall_overlap_[t.wall], t.overlap / s.particles.radius[t.particle]);
+    wall_overlap_[t.wall] = std::max(wall_overlap_[t.wall], t.overlap / s.particles.radius()[t.particle]);
   double sum = 0, deepest = 0;
   std::size_t pressed = 0;
   for (std::size_t k = 0; k < s.pairs.size(); ++k) {
     if (s.pairs.state[k] == BondState::intact) continue;
     const Index i = s.pairs.i[k], j = s.pairs.j[k];
     const double overlap =
-        (s.pairs.rest_length[k] - s.branch(s.particles.position[i], s.particles.position[j]).norm()) /
-        (s.particles.radius[i] + s.particles.radius[j]);
+        (s.pairs.rest_length[k] - s.branch(s.particles.position()[i], s.particles.position()[j]).norm()) /
+        (s.particles.radius()[i] + s.particles.radius()[j]);
     if (overlap <= 0) continue;
     sum += overlap;
     deepest = std::max(deepest, overlap);

@@ -116,7 +116,7 @@ void Case::rebuild() {
   const std::size_t before = memory_in_use();
   const State& s = sim_->state();
   const std::uint64_t lists = sim_->rebuilds();
-  const std::vector<double>& r = s.particles.radius;
+  const auto r = s.particles.radius();
   const double away = std::accumulate(r.begin(), r.end(), 0.0) / double(r.size());
   for (std::size_t w = 0; w < s.walls.size(); ++w) sim_->set_wall_velocity(w, -away / s.time_step * s.walls[w].normal);
   sim_->forces(false);

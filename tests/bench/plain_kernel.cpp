@@ -115,8 +115,10 @@ BRECCIA_VECTOR_CLONES PlainEnergy pair_forces(const PlainParticle* particles, Pl
       g.broke[l] = torn ? 2.0 : sheared ? 3.0 : 0.0;
       const bool broke = torn | sheared;
       const double along_old = ox * ux + oy * uy + oz * uz;
-      friction += slides & !broke ? 0.5 * (ks * along_old + limit * length) * (1 - keep) : 0.0;
-      fracture += broke ? 0.5 * (shear * length * (1 - keep * keep) + (normal - pressed) * (d - rest_length[k])) : 0.0;
+      const double slid = slides ? 0.5 * (ks * along_old + limit * length) * (1 - keep) : 0.0;
+      const double lost = normal - pressed;  // it was not there for the second half of the step
+      friction += broke ? 0.0 : slid;
+      fracture += broke ? slid + 0.5 * lost * (d - rest_length[k] - dt * opening) : 0.0;
     }
     for (std::size_t l = 0; l < count; ++l) {
       out[start + l] = {{g.fx[l], g.fy[l], g.fz[l]}, {g.tx[l], g.ty[l], g.tz[l]}, g.half_gap[l], 0};
@@ -146,9 +148,9 @@ PlainKernel::PlainKernel(const State& start, const PlainLaw& law, const Damping&
     : law_(law), damping_(damping), dt_(start.time_step) {
   const Particles& p = start.particles;
   for (std::size_t a = 0; a < p.size(); ++a) {
-    const Vec3 &x = p.position[a], &v = p.velocity[a], &w = p.angular_velocity[a];
+    const Vec3 &x = p.position()[a], &v = p.velocity()[a], &w = p.angular_velocity()[a];
     particles_.push_back(
-        {{x[0], x[1], x[2]}, {v[0], v[1], v[2]}, {w[0], w[1], w[2]}, p.radius[a], p.mass[a], p.inertia[a]});
+        {{x[0], x[1], x[2]}, {v[0], v[1], v[2]}, {w[0], w[1], w[2]}, p.radius()[a], p.mass()[a], p.inertia()[a]});
   }
   force_.resize(3 * p.size());
   const Pairs& q = start.pairs;

@@ -19,8 +19,8 @@ State swinging(const Specimen& specimen, double speed) {
   Particles& p = s.particles;
   for (std::size_t a = 0; a < p.size(); ++a)
     for (int c = 0; c < 3; ++c) {
-      p.velocity[a][c] = speed * normal(random);
-      p.angular_velocity[a][c] = speed / p.radius[a] * normal(random);
+      p.velocity()[a][c] = speed * normal(random);
+      p.angular_velocity()[a][c] = speed / p.radius()[a] * normal(random);
     }
   return s;
 }
@@ -100,15 +100,15 @@ Broken Both::compare() {
   friction.add(energy.friction, plain_.friction());
   fracture.add(energy.fracture, plain_.fracture());
   for (std::size_t a = 0; a < p.size(); ++a)
-    for (int c = 0; c < 3; ++c) force.add(p.force[a][c], plain_.resultants()[3 * a + std::size_t(c)]);
+    for (int c = 0; c < 3; ++c) force.add(p.force()[a][c], plain_.resultants()[3 * a + std::size_t(c)]);
   engine_.advance();
   for (std::size_t a = 0; a < p.size(); ++a) {
     const PlainParticle& q = plain_.particles()[a];
     for (int c = 0; c < 3; ++c) {
       const double start = p.reference_position[a][c];
-      way.add(p.position[a][c] - start, q.x[c] - start);
-      velocity.add(p.velocity[a][c], q.v[c]);
-      spin.add(p.angular_velocity[a][c], q.w[c]);
+      way.add(p.position()[a][c] - start, q.x[c] - start);
+      velocity.add(p.velocity()[a][c], q.v[c]);
+      spin.add(p.angular_velocity()[a][c], q.w[c]);
     }
   }
   std::size_t torn = 0, sheared = 0, other = 0;

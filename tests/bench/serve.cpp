@@ -14,15 +14,16 @@ namespace {
 /// Particles and bonds as they are before the first step, for another program.
 void write_specimen(const std::string& file, const Specimen& specimen, const State& now) {
   const Particles start = specimen.assembled().particles;
-  const double mean_radius = std::accumulate(start.radius.begin(), start.radius.end(), 0.0) / double(start.size());
+  const auto radius = start.radius();
+  const double mean_radius = std::accumulate(radius.begin(), radius.end(), 0.0) / double(start.size());
   Json all = {{"steps", Case::steps},
               {"time_step", now.time_step},
               {"skin", specimen.workflow.engine.skin * mean_radius},
               {"particles", Json::array()},
               {"bonds", Json::array()}};
   for (std::size_t a = 0; a < start.size(); ++a) {
-    const Vec3& x = start.position[a];
-    all["particles"].push_back({x.x(), x.y(), x.z(), start.radius[a]});
+    const Vec3& x = start.position()[a];
+    all["particles"].push_back({x.x(), x.y(), x.z(), start.radius()[a]});
   }
   for (std::size_t k = 0; k < now.bonds.size(); ++k) all["bonds"].push_back({now.bonds.i[k], now.bonds.j[k]});
   for (const Wall& w : now.walls) all[w.normal.z() > 0 ? "bottom" : "top"] = (w.point - w.displacement).z();

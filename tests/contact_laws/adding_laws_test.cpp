@@ -72,8 +72,8 @@ TEST(AddingLaws, ADashpotDampsItsShareOfTheCritical) {
       s->hold(k, dof::all, Vec3(k == 0 ? -0.1 : 0.1, 0, 0), Vec3::Zero());
       s->release(k, dof::all);
     }
-    const double start = s->view().energy.kinetic, stiffness = 10e9 * 2 * r, mass = 0.5 * s->state().particles.mass[0],
-                 omega = std::sqrt(stiffness / mass),
+    const double start = s->view().energy.kinetic, stiffness = 10e9 * 2 * r,
+                 mass = 0.5 * s->state().particles.mass()[0], omega = std::sqrt(stiffness / mass),
                  period = 2 * std::numbers::pi / (omega * std::sqrt(1 - beta * beta));
     while (s->time() < 2 * period) {
       s->advance();
@@ -94,7 +94,7 @@ TEST(AddingLaws, ADashpotCannotPullWhatIsNotBonded) {
   Several apart(two(2.1 * r), {springs, dashpot(0.9)}, 1e-9);
   for (const Index k : {0, 1}) apart->hold(k, dof::all, Vec3(k == 0 ? -1 : 1, 0, 0), Vec3::Zero());
   apart->forces();
-  EXPECT_EQ(apart->state().particles.force[0], Vec3::Zero());
+  EXPECT_EQ(apart->state().particles.force()[0], Vec3::Zero());
 
   // Not bonded, for the tolerance asks for an overlap.
   Several pressed(two(2 * r), {springs, dashpot(0.9)}, -1e-3);
@@ -106,7 +106,7 @@ TEST(AddingLaws, ADashpotCannotPullWhatIsNotBonded) {
   }
   for (const Index k : {0, 1}) pressed->hold(k, dof::all, Vec3(k == 0 ? -50 : 50, 0, 0), Vec3::Zero());
   pressed->forces();
-  EXPECT_EQ(pressed->state().particles.force[0].x(), 0) << "parting: the dashpot takes all of the push, and no more";
+  EXPECT_EQ(pressed->state().particles.force()[0].x(), 0) << "parting: the dashpot takes all of the push, and no more";
 }
 
 /// M = k theta until mu R |F|; what slides is accounted for.
@@ -121,7 +121,7 @@ TEST(AddingLaws, RollingIsResistedByASpringThatSlides) {
   s->hold(1, dof::all, Vec3::Zero(), Vec3::Zero());
   s->forces();
   s->mark_start_of_loading();
-  const double push = -s->state().particles.force[0].x();
+  const double push = -s->state().particles.force()[0].x();
   ASSERT_GT(push, 0);
   const double turn = 1e-7;  // of one against the other, in a step [rad]
   for (const Vec3& axis : {Vec3(0, 1, 0), Vec3(1, 0, 0)}) {
@@ -161,7 +161,8 @@ TEST(AddingLaws, SumsAreTheSameForAnyThreads) {
       s->forces();
       s->advance();
     }
-    return s->state().particles.position;
+    const auto position = s->state().particles.position();
+    return std::vector<Vec3>(position.begin(), position.end());
   };
   const auto same = [](const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec3)) == 0;
@@ -183,7 +184,7 @@ TEST(AddingLaws, EnergyCloses) {
              rolling(0.3, 0.1)},
             0.05, settings);
   for (Index k = 0; k < s->state().particles.size(); ++k) {
-    const Vec3 x = s->state().particles.position[k] - 5 * r * Vec3(1, 1, 1);
+    const Vec3 x = s->state().particles.position()[k] - 5 * r * Vec3(1, 1, 1);
     s->hold(k, dof::all, -1e3 * x, Vec3(0, 0, 200));
     s->release(k, dof::all);
   }

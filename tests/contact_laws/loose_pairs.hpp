@@ -16,11 +16,7 @@ struct LoosePairs {
   /// Bonded pairs of particles of 0.5 to 1.5 mm that touch, in any direction of space or of the plane z = 0.
   LoosePairs(std::unique_ptr<ContactLaw> its_law, std::size_t n, int dimension, bool in_plane, bool swapped = false)
       : law(std::move(its_law)),
-        radius(2 * n),
-        mass(2 * n, 1e-4),
-        position(2 * n),
-        velocity(2 * n),
-        spin(2 * n),
+        motion(2 * n),
         force(n),
         moment(n),
         rest(n),
@@ -31,17 +27,20 @@ struct LoosePairs {
     for (Index k = 0; k < n; ++k) {
       first.push_back(swapped ? 2 * k + 1 : 2 * k);
       second.push_back(swapped ? 2 * k : 2 * k + 1);
-      for (const Index a : {2 * k, 2 * k + 1}) radius[a] = 1e-3 + 0.5e-3 * uniform();
-      rest[k] = radius[2 * k] + radius[2 * k + 1];
-      position[2 * k] = 1e-2 * Vec3(uniform(), uniform(), in_plane ? 0 : uniform());
+      for (const Index a : {2 * k, 2 * k + 1}) {
+        motion[a].mass = 1e-4;
+        motion[a].radius = 1e-3 + 0.5e-3 * uniform();
+      }
+      rest[k] = motion[2 * k].radius + motion[2 * k + 1].radius;
+      motion[2 * k].position = 1e-2 * Vec3(uniform(), uniform(), in_plane ? 0 : uniform());
       Vec3 n_k(uniform(), uniform(), uniform());
       if (in_plane) n_k.z() = 0;
-      position[2 * k + 1] = position[2 * k] + rest[k] * n_k.normalized();
+      motion[2 * k + 1].position = motion[2 * k].position + rest[k] * n_k.normalized();
     }
     Assembly a;
     a.dimension = dimension;
-    a.radius = radius;
-    a.mass = mass;
+    a.radius = {&motion[0].radius, motion.size(), sizeof motion[0]};
+    a.mass = {&motion[0].mass, motion.size(), sizeof motion[0]};
     law->prepare(a);
     for (auto& c : history) columns.push_back(c.data());
     const std::size_t chunks = (n + PairBatch::chunk - 1) / PairBatch::chunk;
@@ -53,11 +52,7 @@ struct LoosePairs {
     batch.rest_length = rest.data();
     batch.state = state.data();
     batch.columns = columns.data();
-    batch.position = position.data();
-    batch.velocity = velocity.data();
-    batch.angular_velocity = spin.data();
-    batch.radius = radius.data();
-    batch.mass = mass.data();
+    batch.motion = motion.data();
     batch.force = force.data();
     batch.moment = moment.data();
     batch.dissipated = dissipated.data();
@@ -71,12 +66,12 @@ struct LoosePairs {
   /// Each particle takes one random step of this share of its radius, and turns by as much; `frame` turns the motion.
   void wander(std::mt19937_64& random, double share, bool in_plane, const Mat3& frame = Mat3::Identity()) {
     const auto uniform = [&] { return 2 * (double(random() >> 11) * 0x1p-53) - 1; };
-    for (std::size_t a = 0; a < radius.size(); ++a) {
+    for (ParticleMotion& one : motion) {
       const Vec3 v(uniform(), uniform(), uniform()), w(uniform(), uniform(), uniform());
       const double size = share / dt;
-      velocity[a] = size * radius[a] * (frame * (in_plane ? Vec3(v.x(), v.y(), 0) : v));
-      spin[a] = size * (frame * (in_plane ? Vec3(0, 0, w.z()) : w));
-      position[a] += dt * velocity[a];
+      one.velocity = size * one.radius * (frame * (in_plane ? Vec3(v.x(), v.y(), 0) : v));
+      one.angular_velocity = size * (frame * (in_plane ? Vec3(0, 0, w.z()) : w));
+      one.position += dt * one.velocity;
     }
     Interactions(*law).evaluate(batch);
   }
@@ -86,8 +81,7 @@ struct LoosePairs {
   std::unique_ptr<ContactLaw> law;
   PairBatch batch;
   std::vector<Index> first, second;
-  std::vector<double> radius, mass;
-  std::vector<Vec3> position, velocity, spin;
+  std::vector<ParticleMotion> motion;
   std::vector<PairForce> force;
   std::vector<Vec3> moment;
   std::vector<double> rest;

@@ -52,7 +52,7 @@ TEST(NonlinearTensionInSpace, SpheresMovedInAPlaneAreDiscsToTheLastBit) {
 TEST(NonlinearTensionInSpace, AnyPlaneIsAsGoodAsAnother) {
   const Mat3 turn = Eigen::AngleAxisd(-1.1, Vec3(1, 2, 3).normalized()).toRotationMatrix();
   LoosePairs discs(net(), pairs, 2, true), spheres(net(), pairs, 3, true);
-  for (Vec3& x : spheres.position) x = turn * x;
+  for (ParticleMotion& p : spheres.motion) p.position = turn * p.position;
   walk(discs, true);
   walk(spheres, true, turn);
   EXPECT_TRUE(same_bits(discs.state, spheres.state));

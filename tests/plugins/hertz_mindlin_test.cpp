@@ -93,9 +93,9 @@ TEST_F(HertzMindlin, NoEnergyComesFromLoadingAndUnloadingAShearedContact) {
 
 TEST_F(HertzMindlin, TheTimeStepSeesContactsThatAreToCome) {
   ContactStiffness apart, touching;
-  position[1] = Vec3(r1 + r2 + 1e-6, 0, 0);
+  motion[1].position = Vec3(r1 + r2 + 1e-6, 0, 0);
   Interactions(*law).stiffness(batch, &apart);
-  position[1] = Vec3(r1 + r2 - 0.02 * r1 * r2 / (r1 + r2), 0, 0);
+  motion[1].position = Vec3(r1 + r2 - 0.02 * r1 * r2 / (r1 + r2), 0, 0);
   Interactions(*law).stiffness(batch, &touching);
   EXPECT_NEAR(touching.normal / apart.normal, std::sqrt(2.0), 1e-9);  // twice the design overlap
 }

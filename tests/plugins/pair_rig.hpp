@@ -21,11 +21,11 @@ struct PairRig {
     batch.rest_length = &rest;
     batch.state = &state;
     batch.columns = columns.data();
-    batch.position = position;
-    batch.velocity = velocity;
-    batch.angular_velocity = spin;
-    batch.radius = radius;
-    batch.mass = mass;
+    batch.motion = motion;
+    motion[0].radius = r1;
+    motion[1].radius = r2;
+    motion[0].mass = 1e-4;
+    motion[1].mass = 2e-4;
     batch.force = &force;
     batch.dissipated = &dissipated;
     batch.chunk_broke = &broke;
@@ -37,8 +37,8 @@ struct PairRig {
 
   /// Sets the overlap [m], moves sphere 2 along y by `slip` [m] in one step, and evaluates.
   void step(double overlap, double slip) {
-    position[1] = Vec3(r1 + r2 - overlap, 0, 0);
-    velocity[1] = Vec3(0, slip / dt, 0);
+    motion[1].position = Vec3(r1 + r2 - overlap, 0, 0);
+    motion[1].velocity = Vec3(0, slip / dt, 0);
     Interactions(*law).evaluate(batch);
   }
   double energy() const { return Interactions(*law).energy(batch); }
@@ -48,11 +48,9 @@ struct PairRig {
   Index first = 0, second = 1;
   double rest = r1 + r2, history[4] = {};
   Dissipated dissipated;
-  double radius[2] = {r1, r2}, mass[2] = {1e-4, 2e-4};
+  ParticleMotion motion[2];
   std::array<double*, 4> columns;
   BondState state = BondState::unbonded;
-  Vec3 position[2] = {Vec3::Zero(), Vec3::Zero()}, velocity[2] = {Vec3::Zero(), Vec3::Zero()};
-  Vec3 spin[2] = {Vec3::Zero(), Vec3::Zero()};
   PairForce force;  ///< on sphere 1
   std::uint8_t broke = 0;
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Triaxial, oedometric and cyclic compression: pressures are what was asked for, as measured from the particles;
 // results do not depend on the threads, on how a test is cut into stages, or on the axis.
-#include <cstring>
 
 #include "protocols/protocol_run.hpp"
+#include "support/same_bits.hpp"
 
 namespace breccia::testing {
 namespace {
@@ -58,11 +58,6 @@ TEST(Triaxial, DiscAreasAddUpToWhatTheSurfaceParticlesCover) {
   EXPECT_NEAR(run.rows.last("confining_pressure_applied"), std::numbers::pi / 4 * before / now * 20e6, 1e-9 * 20e6);
 }
 
-template <class T>
-bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
-}
-
 TEST(Triaxial, DoesNotDependOnTheCutIntoStagesNorOnThreads) {
   const Json whole = triaxial({{"stages", {{{"confining_pressure", 5e6}}, {{"axial_strain", 0.03}}}}});
   const Json cut = triaxial({{"stages",
@@ -80,8 +75,8 @@ TEST(Triaxial, DoesNotDependOnTheCutIntoStagesNorOnThreads) {
     ProtocolRun other(block(), elastic_brittle(), "elastic_brittle", 0.2, "triaxial_compression",
                       threads == 1 ? cut : whole, 3, threads);
     other.go(300000);
-    EXPECT_TRUE(same_bits(p.position, other.simulation().state().particles.position)) << threads;
-    EXPECT_TRUE(same_bits(p.velocity, other.simulation().state().particles.velocity)) << threads;
+    EXPECT_TRUE(same_bits(p.position(), other.simulation().state().particles.position())) << threads;
+    EXPECT_TRUE(same_bits(p.velocity(), other.simulation().state().particles.velocity())) << threads;
   }
 }
 
@@ -178,7 +173,7 @@ TEST(Oedometer, LetsNothingOutAndMeasuresThePressureOfItsCell) {
     double farthest = 0;
     const Particles& q = run.simulation().state().particles;
     for (Index k = 0; k < q.size(); ++k)
-      farthest = std::max(farthest, std::hypot(q.position[k].x() - 6e-3, q.position[k].y() - 6e-3) + q.radius[k]);
+      farthest = std::max(farthest, std::hypot(q.position()[k].x() - 6e-3, q.position()[k].y() - 6e-3) + q.radius()[k]);
     if (round) { EXPECT_LT(farthest, 5.9e-3 * 1.001); }
   }
 }

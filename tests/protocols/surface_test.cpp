@@ -81,7 +81,7 @@ TEST(Voronoi, OfTwoCirclesInOnePlaceTheLargerHasTheCell) {
 TEST(LateralSurface, LosesWhatSinksBehindOthers) {
   PackedParticles p = simple_cubic(5, 5, 5, 1e-3);
   State s = assemble(p, {2650}, 3, 1);
-  const ParticlesView v{s.particles.position, {}, {}, {}, {}, {}, {}, {}, s.particles.radius, {}, {}, {}, {}};
+  const ParticlesView v{s.particles.position(), {}, {}, {}, {}, {}, {}, {}, s.particles.radius(), {}, {}, {}, {}};
   LateralSurface surface(s.specimen, v, 3, 1);
   surface.measure(v, 0, s.specimen.height);
   const auto of = [&](Index k) {
@@ -91,13 +91,13 @@ TEST(LateralSurface, LosesWhatSinksBehindOthers) {
   };
   Index mid = 0, behind = 0;  // in the middle of the face at high x, and the next one inward
   for (Index k = 0; k < s.particles.size(); ++k) {
-    const Vec3 off = s.particles.position[k] - s.specimen.base - Vec3(0, 0, 5e-3);
+    const Vec3 off = s.particles.position()[k] - s.specimen.base - Vec3(0, 0, 5e-3);
     if (off.isApprox(Vec3(4e-3, 0, 0), 1e-9)) mid = k;
     if (off.isApprox(Vec3(2e-3, 0, 0), 1e-9)) behind = k;
   }
   EXPECT_NEAR(of(mid), 4e-6, 1e-15);
   EXPECT_EQ(of(behind), 0);
-  std::swap(s.particles.position[mid].x(), s.particles.position[behind].x());
+  std::swap(s.particles.position()[mid].x(), s.particles.position()[behind].x());
   surface.measure(v, 0, s.specimen.height);
   EXPECT_EQ(of(mid), 0);
   EXPECT_NEAR(of(behind), 4e-6, 1e-15);
@@ -106,9 +106,9 @@ TEST(LateralSurface, LosesWhatSinksBehindOthers) {
 TEST(LateralSurface, OfALatticeIsItsOuterLayer) {
   PackedParticles p = simple_cubic(5, 4, 6, 1e-3);
   const State s = assemble(p, {2650}, 3, 1);
-  LateralSurface surface(s.specimen,
-                         {s.particles.position, {}, {}, {}, {}, {}, {}, {}, s.particles.radius, {}, {}, {}, {}}, 3, 1);
-  surface.measure({s.particles.position, {}, {}, {}, {}, {}, {}, {}, s.particles.radius, {}, {}, {}, {}}, 0,
+  LateralSurface surface(
+      s.specimen, {s.particles.position(), {}, {}, {}, {}, {}, {}, {}, s.particles.radius(), {}, {}, {}, {}}, 3, 1);
+  surface.measure({s.particles.position(), {}, {}, {}, {}, {}, {}, {}, s.particles.radius(), {}, {}, {}, {}}, 0,
                   s.specimen.height);
   EXPECT_NEAR(surface.area(), 2 * (10e-3 + 8e-3) * 12e-3, 1e-12);
   EXPECT_EQ(surface.cells().size(), std::size_t(2 * (5 + 4) * 6));
@@ -125,13 +125,13 @@ TEST(LateralSurface, OfACylinderFacesInward) {
     }
   p.outline = SpecimenShape::Outline::cylinder;
   const State s = assemble(p, {2650}, 3, 1);
-  const ParticlesView v{s.particles.position, {}, {}, {}, {}, {}, {}, {}, s.particles.radius, {}, {}, {}, {}};
+  const ParticlesView v{s.particles.position(), {}, {}, {}, {}, {}, {}, {}, s.particles.radius(), {}, {}, {}, {}};
   LateralSurface surface(s.specimen, v, 3, 1);
   surface.measure(v, 0, s.specimen.height);
   double outer = 0, area = 0;
   Vec3 closed = Vec3::Zero();
   for (const SurfaceCell& c : surface.cells()) {
-    const Vec3 off = s.particles.position[c.particle] - s.specimen.base;
+    const Vec3 off = s.particles.position()[c.particle] - s.specimen.base;
     EXPECT_LT(c.inward.dot(off), 0);
     EXPECT_EQ(c.inward.z(), 0);
     outer = std::max(outer, std::hypot(off.x(), off.y()));

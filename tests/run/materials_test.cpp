@@ -119,10 +119,10 @@ TEST(Materials, ATwoLayerBarHasTheSeriesStiffness) {
   s.steps(pull);
   s.simulation.hold(s.row_of(n - 1), dof::all, Vec3::Zero(), Vec3::Zero());
   s.steps(30000);
-  const double stretch = s.simulation.state().particles.position[s.row_of(n - 1)].z() - bar.position[n - 1].z();
+  const double stretch = s.simulation.state().particles.position()[s.row_of(n - 1)].z() - bar.position[n - 1].z();
   const auto k = [](double modulus) { return 2 * modulus * 1e-3; };
   const double series = 1 / (4 / k(10e9) + 1 / k(17e9) + 4 / k(30e9));
-  EXPECT_NEAR(-s.simulation.state().particles.force[s.row_of(n - 1)].z() / stretch, series, 1e-9 * series);
+  EXPECT_NEAR(-s.simulation.state().particles.force()[s.row_of(n - 1)].z() / stretch, series, 1e-9 * series);
 }
 
 /// Kolmogorov and Smirnov's largest distance between shares and what they should be.
@@ -196,7 +196,8 @@ TEST(Scatter, IsTheSameForAnyThreadsAndAnotherSeedIsAnother) {
     for (Index k = 0; k < 49; ++k) s.simulation.hold(s.row_of(k), dof::all, Vec3(0, 0, -1.5), Vec3::Zero());
     s.steps(300);
     EXPECT_GT(s.simulation.broken_bonds(), 20u);
-    return s.simulation.state().particles.position;
+    const auto position = s.simulation.state().particles.position();
+    return std::vector<Vec3>(position.begin(), position.end());
   };
   const Json weibull = scattering("weibull", 2e6, "modulus", 3);
   const auto one = end(1, 1, weibull);
@@ -214,7 +215,8 @@ TEST(Materials, OneGivenTwiceUnderTwoNamesGivesTheBitsOfOne) {
     for (Index k = 0; k < 49; ++k) s.simulation.hold(s.row_of(k), dof::all, Vec3(0, 0, -0.6), Vec3::Zero());
     s.steps(300);
     EXPECT_GT(s.simulation.broken_bonds(), 20u);
-    return s.simulation.state().particles.position;
+    const auto position = s.simulation.state().particles.position();
+    return std::vector<Vec3>(position.begin(), position.end());
   };
   Materials two;
   two.list = {{2650, "a"}, {2650, "b"}};

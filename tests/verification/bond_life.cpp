@@ -61,8 +61,8 @@ class LedPair {
     bench_.steps(n);
     bench_->forces();
   }
-  double distance() const { return state().particles.position[1].x() - state().particles.position[0].x(); }
-  Vec3 pull() const { return state().particles.force[0]; }  ///< on the first [N]
+  double distance() const { return state().particles.position()[1].x() - state().particles.position()[0].x(); }
+  Vec3 pull() const { return state().particles.force()[0]; }  ///< on the first [N]
   const State& state() const { return bench_.simulation->state(); }
 
  private:
@@ -75,7 +75,7 @@ TEST(BondLife, ABrokenBondStaysBrokenWhenThePairListIsEmpty) {
   Bench b = make_bench(chain(3, 2 * r), elastic_brittle(), 1e-9, settings);
   b->prepare();
   for (const Index k : {0, 1, 2}) {
-    const double x = b->state().particles.position[k].x() - 2 * r;
+    const double x = b->state().particles.position()[k].x() - 2 * r;
     b->hold(k, dof::all, Vec3(500 * x, 0, 0), Vec3::Zero());
   }
   b->forces();
@@ -84,7 +84,7 @@ TEST(BondLife, ABrokenBondStaysBrokenWhenThePairListIsEmpty) {
   for (int k = 0; k < 20; ++k) {
     b.steps(2500);
     b->forces();
-    for (const Vec3& f : b->state().particles.force) EXPECT_TRUE(k == 0 || f.norm() == 0);
+    for (const Vec3& f : b->state().particles.force()) EXPECT_TRUE(k == 0 || f.norm() == 0);
   }
   EXPECT_EQ(b->state().pairs.size(), 0u);
   EXPECT_GT(b->rebuilds(), first + 3) << "lists must have been made from an empty one";
@@ -190,8 +190,8 @@ TEST(TimeStep, APairThatComesNearCountsBeforeItTouches) {
     double least = 1;
     for (Index k = 0; k < 3; ++k)
       if (k != flying)
-        least =
-            std::min(least, (b->state().particles.position[k] - b->state().particles.position[flying]).norm() - 2 * r);
+        least = std::min(least,
+                         (b->state().particles.position()[k] - b->state().particles.position()[flying]).norm() - 2 * r);
     return least;
   };
   ASSERT_GT(least_gap(), 0.5e-3);

@@ -35,7 +35,7 @@ EnergyLedger pulled(const Json& config, const std::string& law, double safety, d
     b->advance();
     const double share = std::min(1.0, (k + 1) / 3.0);
     for (const Index a : {0, 2}) {
-      const double sign = b->state().particles.position[a].x() > 2 * r ? 1 : -1;
+      const double sign = b->state().particles.position()[a].x() > 2 * r ? 1 : -1;
       b->hold(a, dof::all, sign * share * Vec3(pull, across, 0), sign * share * Vec3(0, 0, turn));
     }
     b->forces();

@@ -28,7 +28,7 @@ double lost(double safety, int clouds) {
     const auto uniform = [&] { return 2 * double(random() >> 11) * 0x1p-53 - 1; };
     const Vec3 centre = 6.5 * r * Vec3(1, 1, 1);
     for (Index k = 0; k < b->state().particles.size(); ++k) {
-      const Vec3 v = -2e3 * (b->state().particles.position[k] - centre) + 5 * Vec3(uniform(), uniform(), uniform());
+      const Vec3 v = -2e3 * (b->state().particles.position()[k] - centre) + 5 * Vec3(uniform(), uniform(), uniform());
       b->hold(k, dof::all, v, Vec3::Zero());
       b->release(k, dof::all);
     }

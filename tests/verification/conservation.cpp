@@ -12,14 +12,14 @@ namespace {
 
 Vec3 momentum(const State& s) {
   Vec3 sum = Vec3::Zero();
-  for (std::size_t k = 0; k < s.particles.size(); ++k) sum += s.particles.mass[k] * s.particles.velocity[k];
+  for (std::size_t k = 0; k < s.particles.size(); ++k) sum += s.particles.mass()[k] * s.particles.velocity()[k];
   return sum;
 }
 Vec3 angular_momentum(const State& s) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t k = 0; k < s.particles.size(); ++k)
-    sum += s.particles.mass[k] * s.particles.position[k].cross(s.particles.velocity[k]) +
-           s.particles.inertia[k] * s.particles.angular_velocity[k];
+    sum += s.particles.mass()[k] * s.particles.position()[k].cross(s.particles.velocity()[k]) +
+           s.particles.inertia()[k] * s.particles.angular_velocity()[k];
   return sum;
 }
 
@@ -28,7 +28,7 @@ Bench colliding_block(double speed, const EngineSettings& settings, const Json& 
   Bench b = make_bench(random_block(5, 5, 10, 1e-3, 7), law, 0.15, settings, 3, name);
   b->prepare();
   for (Index k = 0; k < b->state().particles.size(); ++k) {
-    const bool up = b->state().particles.position[k].z() > 10e-3;
+    const bool up = b->state().particles.position()[k].z() > 10e-3;
     const Vec3 v = speed * (up ? Vec3(0.3, 0.1, -1) : Vec3(-0.2, 0, 1));
     b->hold(k, dof::all, v, speed * 20 * Vec3(1, -2, 3));
     b->release(k, dof::all);
@@ -53,7 +53,7 @@ Errors after_collision(double speed, double safety, double damping, const Json& 
   const Vec3 p0 = momentum(b->state()), l0 = angular_momentum(b->state());
   double scale = 0;
   for (std::size_t k = 0; k < b->state().particles.size(); ++k)
-    scale += b->state().particles.mass[k] * b->state().particles.velocity[k].norm();
+    scale += b->state().particles.mass()[k] * b->state().particles.velocity()[k].norm();
   b.steps(int(1000 / safety));
   b->forces();
   const SimulationView v = b->view();
@@ -121,10 +121,10 @@ TEST(Conservation, DampingActsOnTheNormOfTheResultant) {
   for (const double direction : {1.0, -1.0}) {
     State s = assemble(simple_cubic(1, 1, 1, 1e-3), {2650}, 3, 1);
     s.time_step = 1e-6;
-    s.particles.velocity[0] = Vec3(0, 0, 2);
-    s.particles.force[0] = Vec3(0, 0, direction * 3e-3);
+    s.particles.velocity()[0] = Vec3(0, 0, 2);
+    s.particles.force()[0] = Vec3(0, 0, direction * 3e-3);
     integrate(s, {0.4, 0.4}, CellMotion{}, false, 1);
-    const double gain = (s.particles.velocity[0].z() - 2) * s.particles.mass[0] / s.time_step;
+    const double gain = (s.particles.velocity()[0].z() - 2) * s.particles.mass()[0] / s.time_step;
     EXPECT_NEAR(gain, direction * 3e-3 - 0.4 * 3e-3, 1e-12);
   }
 }

@@ -41,8 +41,8 @@ Moved crush(const Mat3& turn, const Vec3& shift, bool reverse, const Json& law =
   m.spin.resize(n);
   for (Index k = 0; k < n; ++k) {
     const Index id = b->state().particles.id[k], at = reverse ? Index(n - 1 - id) : id;
-    m.position[at] = turn.transpose() * (b->state().particles.position[k] - shift);
-    m.spin[at] = b->state().particles.angular_velocity[k].norm();
+    m.position[at] = turn.transpose() * (b->state().particles.position()[k] - shift);
+    m.spin[at] = b->state().particles.angular_velocity()[k].norm();
   }
   for (const BondState s : b->state().bonds.state) m.broken += is_broken(s);
   return m;
@@ -89,12 +89,12 @@ void spin_freely(const Json& law, const std::string& name) {
   Vec3 centre = Vec3::Zero();
   double mass = 0;
   for (Index k = 0; k < b->state().particles.size(); ++k) {
-    centre += b->state().particles.mass[k] * b->state().particles.position[k];
-    mass += b->state().particles.mass[k];
+    centre += b->state().particles.mass()[k] * b->state().particles.position()[k];
+    mass += b->state().particles.mass()[k];
   }
   centre /= mass;
   for (Index k = 0; k < b->state().particles.size(); ++k) {
-    b->hold(k, dof::all, spin.cross(b->state().particles.position[k] - centre), spin);
+    b->hold(k, dof::all, spin.cross(b->state().particles.position()[k] - centre), spin);
     b->release(k, dof::all);
   }
   b->mark_start_of_loading();

@@ -78,8 +78,8 @@ TEST(Moments, AFreePairSwingsWithTheFrequencyOfItsStiffness) {
     EXPECT_NEAR(2 / dt * std::sin(0.5 * frequency * dt), known, 1e-5 * known)
         << s.dimension << "D, column " << s.column;
     EXPECT_LT(most, 2e-3) << "the energy swings with the square of the step and does not drift";
-    EXPECT_LT(b->state().particles.velocity[0].norm(), 1e-9 * r / dt);
-    const Vec3 spin = b->state().particles.angular_velocity[0] + b->state().particles.angular_velocity[1];
+    EXPECT_LT(b->state().particles.velocity()[0].norm(), 1e-9 * r / dt);
+    const Vec3 spin = b->state().particles.angular_velocity()[0] + b->state().particles.angular_velocity()[1];
     EXPECT_LT(spin.norm(), 1e-9) << "angular momentum";
   }
 }
@@ -112,7 +112,7 @@ TEST(Moments, TheCriticalStepIsThatOfTheBendingModeWhereBendingIsStiffest) {
     for (const double safety : {0.99, 1.01}) {
       Bench b = pair(mode.k, mode.dimension, safety);
       twirl(b, 1e-3 * mode.axis);
-      const auto fastest = [&] { return b->state().particles.angular_velocity[0].norm(); };
+      const auto fastest = [&] { return b->state().particles.angular_velocity()[0].norm(); };
       double most = 0;
       for (int step = 0; step < 300; ++step) {
         b->advance();

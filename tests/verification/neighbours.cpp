@@ -14,7 +14,7 @@ TEST(Neighbours, NoContactIsMissedBetweenRebuilds) {
   Bench b = make_bench(random_block(6, 6, 6, 1e-3, 2), elastic_brittle(), 0.05);
   b->prepare();
   for (Index k = 0; k < b->state().particles.size(); ++k) {
-    const Vec3 x = b->state().particles.position[k] - Vec3::Constant(6e-3);
+    const Vec3 x = b->state().particles.position()[k] - Vec3::Constant(6e-3);
     b->hold(k, dof::all, -3e3 * x, Vec3::Zero());  // collapse: new contacts all the time
     b->release(k, dof::all);
   }
@@ -28,8 +28,8 @@ TEST(Neighbours, NoContactIsMissedBetweenRebuilds) {
     ASSERT_EQ(listed.size(), s.pairs.size());
     for (Index i = 0; i < s.particles.size(); ++i)
       for (Index j = i + 1; j < s.particles.size(); ++j)
-        if ((s.particles.position[i] - s.particles.position[j]).norm() <
-            s.particles.radius[i] + s.particles.radius[j]) {
+        if ((s.particles.position()[i] - s.particles.position()[j]).norm() <
+            s.particles.radius()[i] + s.particles.radius()[j]) {
           ASSERT_TRUE(listed.contains({i, j})) << i << " " << j << " after " << k;
         }
   }
@@ -69,7 +69,7 @@ TEST(Neighbours, TheGapItselfBondsSmallParticlesThatTheRelativeGapDoesNot) {
     Simulation s(assemble(p, {2650}, 3, 1), *law, {});
     s.bond({measure, std::nullopt, 0.5});  // one bond
     ASSERT_EQ(s.state().bonds.size(), 1u);
-    const double r = s.state().particles.radius[s.state().bonds.i[0]];
+    const double r = s.state().particles.radius()[s.state().bonds.i[0]];
     EXPECT_EQ(r, measure == GapMeasure::relative ? 1e-3 : 0.1e-3);
   }
 }
@@ -92,7 +92,7 @@ TEST(TimeStep, TwoEqualSpheresOscillateAtTheFrequencyTheBoundGives) {
   // stiffest.
   Bench b = make_bench(simple_cubic(2, 1, 1, 1e-3), elastic_brittle({{"stiffness_ratio", 1e9}}), 1e-9);
   b->prepare();
-  const double k = 2 * 10e9 * 1e-3, m = b->state().particles.mass[0];
+  const double k = 2 * 10e9 * 1e-3, m = b->state().particles.mass()[0];
   EXPECT_NEAR(b->critical_step(), 2 / std::sqrt(2 * k / m), 1e-6 * b->critical_step());
 }
 
@@ -109,7 +109,7 @@ TEST(TimeStep, AWallThatABodyReachesLaterCounts) {
   const double start = b->view().energy.initial;
   b.steps(int(1.5e-3 / (20 * far)));
   b->forces();
-  EXPECT_LT(b->time_step(), 2 / std::sqrt(1e10 / b->state().particles.mass[0]));
+  EXPECT_LT(b->time_step(), 2 / std::sqrt(1e10 / b->state().particles.mass()[0]));
   EXPECT_LT(b->view().energy.kinetic, 1.05 * start) << "bounced, not thrown";
 }
 

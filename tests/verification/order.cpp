@@ -140,7 +140,7 @@ double drift(const LawUnderTest& law, double safety, int dimension) {
   b->prepare();
   const Vec3 centre = 6 * r * Vec3(1, 1, 0);
   for (Index k = 0; k < b->state().particles.size(); ++k) {
-    const Vec3 x = b->state().particles.position[k] - centre;
+    const Vec3 x = b->state().particles.position()[k] - centre;
     const Vec3 turn = dimension == 2 ? Vec3(0, 0, 4e3) : Vec3(1e3, -2e3, 3e3);
     b->hold(k, dof::all, turn.cross(x) + 8e2 * Vec3(x.y(), 0, 0), turn);
     b->release(k, dof::all);

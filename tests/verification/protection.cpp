@@ -47,7 +47,7 @@ TEST_P(Protection, HoldsInTensionAndShear) {
     Bench b = make_bench(p, c.config, 1e-9, settings, 3, c.law);
     const auto& s = b->state();
     ASSERT_EQ(s.bonds.size(), 6u);
-    const auto right = [&](Index k) { return s.particles.position[k].x() > 5 * r; };
+    const auto right = [&](Index k) { return s.particles.position()[k].x() > 5 * r; };
     for (Index k = 0; k < 6; ++k)
       if (right(s.bonds.i[k])) b->protect_bond(k);
     b->prepare();
@@ -55,8 +55,8 @@ TEST_P(Protection, HoldsInTensionAndShear) {
     const double way = (shear ? 60 : 3) * c.limit * 6 * r;
     const Vec3 velocity = way / (steps * b->time_step()) * (shear ? Vec3::UnitY() : Vec3::UnitZ());
     for (Index k = 0; k < s.particles.size(); ++k) {
-      if (s.particles.position[k].z() < 2 * r) b->hold(k, dof::all, Vec3::Zero(), Vec3::Zero());
-      if (s.particles.position[k].z() > 6 * r) b->hold(k, dof::all, velocity, Vec3::Zero());
+      if (s.particles.position()[k].z() < 2 * r) b->hold(k, dof::all, Vec3::Zero(), Vec3::Zero());
+      if (s.particles.position()[k].z() > 6 * r) b->hold(k, dof::all, velocity, Vec3::Zero());
     }
     b.steps(steps);
     int broken = 0;

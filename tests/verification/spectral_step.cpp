@@ -206,8 +206,8 @@ TEST(SpectralStep, AtNineTenthsACompressionClosesItsEnergy) {
       double low = 1, high = -1;
       const Particles& p = b->state().particles;
       for (std::size_t a = 0; a < p.size(); ++a) {
-        low = std::min(low, p.position[a].z() - p.radius[a]);
-        high = std::max(high, p.position[a].z() + p.radius[a]);
+        low = std::min(low, p.position()[a].z() - p.radius()[a]);
+        high = std::max(high, p.position()[a].z() + p.radius()[a]);
       }
       for (const bool top : {false, true}) {
         WallSpec wall;
@@ -262,7 +262,7 @@ TEST(AddedMass, SpendsItsBudgetOnTheFewThatAskForTheShortestStep) {
       settings.time_step = way;
       Bench b = make_bench(random_block(6, 6, 6, r, 9), elastic_brittle(), 0.2, settings);
       b->prepare();
-      const auto& mass = b->state().particles.mass;
+      const auto mass = b->state().particles.mass();
       total[with] = std::accumulate(mass.begin(), mass.end(), 0.0);
       step[with] = b->critical_step();
       if (!with) continue;
@@ -271,8 +271,8 @@ TEST(AddedMass, SpendsItsBudgetOnTheFewThatAskForTheShortestStep) {
       EXPECT_GT(b->added_mass().particles, 0u);
       EXPECT_LT(b->added_mass().particles, mass.size());
       for (std::size_t a = 0; a < mass.size(); ++a) {
-        const double radius = b->state().particles.radius[a];
-        EXPECT_NEAR(b->state().particles.inertia[a], 0.4 * mass[a] * radius * radius,
+        const double radius = b->state().particles.radius()[a];
+        EXPECT_NEAR(b->state().particles.inertia()[a], 0.4 * mass[a] * radius * radius,
                     1e-12 * mass[a] * radius * radius);
       }
     }
@@ -293,7 +293,7 @@ TEST(AddedMass, KeepsEnergyAndMomentum) {
   const auto momentum = [&] {
     Vec3 sum = Vec3::Zero();
     for (std::size_t a = 0; a < b->state().particles.size(); ++a)
-      sum += b->state().particles.mass[a] * b->state().particles.velocity[a];
+      sum += b->state().particles.mass()[a] * b->state().particles.velocity()[a];
     return sum;
   };
   const Vec3 before = momentum();

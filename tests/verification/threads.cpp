@@ -2,10 +2,9 @@
 // The same bits for any number of threads, through breakage and rebuilds of the neighbour list.
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "engine/chunks.hpp"
 #include "engine/pair_batch.hpp"
+#include "support/same_bits.hpp"
 #include "support/support.hpp"
 
 namespace breccia::testing {
@@ -27,11 +26,6 @@ State crushed(int threads, const Json& law, const std::string& name) {
   return b->state();
 }
 
-template <class T>
-bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
-}
-
 void expect_same_bits(const Json& law, const std::string& name) {
   const State one = crushed(1, law, name);
   std::size_t broken = 0;
@@ -40,9 +34,9 @@ void expect_same_bits(const Json& law, const std::string& name) {
   ASSERT_NE(one.pairs.size(), one.bonds.size()) << "the test must rebuild its list";
   for (const int threads : {2, 3, 8}) {
     const State many = crushed(threads, law, name);
-    EXPECT_TRUE(same_bits(one.particles.position, many.particles.position)) << threads;
-    EXPECT_TRUE(same_bits(one.particles.velocity, many.particles.velocity)) << threads;
-    EXPECT_TRUE(same_bits(one.particles.angular_velocity, many.particles.angular_velocity)) << threads;
+    EXPECT_TRUE(same_bits(one.particles.position(), many.particles.position())) << threads;
+    EXPECT_TRUE(same_bits(one.particles.velocity(), many.particles.velocity())) << threads;
+    EXPECT_TRUE(same_bits(one.particles.angular_velocity(), many.particles.angular_velocity())) << threads;
     for (std::size_t c = 0; c < one.pairs.columns.size(); ++c)
       EXPECT_TRUE(same_bits(one.pairs.columns[c], many.pairs.columns[c])) << threads << " threads, column " << c;
     EXPECT_TRUE(same_bits(one.pairs.moment, many.pairs.moment)) << threads;

@@ -63,7 +63,7 @@ void break_in_tension(const Model& m, int dimension) {
   int broke_at = -1;
   for (int k = 0; k < 500 && broke_at < 0; ++k) {
     b->forces();
-    const double pull = b->state().particles.force[0].x();
+    const double pull = b->state().particles.force()[0].x();
     if (b->state().bonds.state[0] != BondState::intact) broke_at = k;
     else ASSERT_NEAR(pull, kn * k * step, 1e-6 * limit) << "step " << k;
     b->advance();
@@ -71,7 +71,7 @@ void break_in_tension(const Model& m, int dimension) {
   EXPECT_NEAR(broke_at, 400, 1);
   EXPECT_EQ(b->state().bonds.state[0], BondState::broken_tension);
   b->forces();
-  EXPECT_EQ(b->state().particles.force[0].norm(), 0) << "a broken bond pulls no more";
+  EXPECT_EQ(b->state().particles.force()[0].norm(), 0) << "a broken bond pulls no more";
   EXPECT_NEAR(b->state().bonds.break_normal[0].x(), 1, 1e-12);
 }
 
@@ -91,9 +91,10 @@ void break_in_shear(const Model& m, int dimension) {
     const auto& p = b->state().particles;
     if (b->state().bonds.state[0] != BondState::intact) broke_at = k;
     else {
-      ASSERT_NEAR(p.force[0].y(), ks * (k + 1) * step, 2e-4 * limit + ks * step) << "step " << k;
+      ASSERT_NEAR(p.force()[0].y(), ks * (k + 1) * step, 2e-4 * limit + ks * step) << "step " << k;
       // Force pair at one contact point: torques are lever arm times force, and the moments of all balance.
-      const Vec3 all = p.torque[0] + p.torque[1] + p.position[0].cross(p.force[0]) + p.position[1].cross(p.force[1]);
+      const Vec3 all =
+          p.torque()[0] + p.torque()[1] + p.position()[0].cross(p.force()[0]) + p.position()[1].cross(p.force()[1]);
       ASSERT_LT(all.norm(), 1e-12 * limit * r1 + 1e-15) << "step " << k;
     }
     b->advance();
@@ -116,7 +117,7 @@ TEST(TwoBody, BreakingInShearUnderPressureReleasesNoNormalForce) {
     lead(b, Vec3(0, 2e-9, 0));
     const auto push = [&] {
       const auto& p = b->state().particles;
-      return -p.force[0].dot((p.position[1] - p.position[0]).normalized());
+      return -p.force()[0].dot((p.position()[1] - p.position()[0]).normalized());
     };
     double before = 0;
     for (int k = 0; k < 100000 && b->state().bonds.state[0] == BondState::intact; ++k) {
@@ -141,7 +142,7 @@ TEST(TwoBody, ABondAcrossAGapCarriesNoPressureAfterBreakageUntilTouchWhenSoAsked
     b.steps(2000);
     ASSERT_EQ(b->state().bonds.state[0], BondState::broken_shear);
     b->forces();
-    const double push = -b->state().particles.force[0].x();
+    const double push = -b->state().particles.force()[0].x();
     if (keeps) EXPECT_GT(push, 0);
     else EXPECT_EQ(push, 0);
   }
@@ -154,7 +155,7 @@ TEST(TwoBody, SlidingFrictionIsCoulombAndItsWorkIsInTheLedger) {
   lead(b, Vec3(-1e-8, 0, 0));
   b.steps(200);
   b->forces();
-  const double pressed = -b->state().particles.force[0].x();
+  const double pressed = -b->state().particles.force()[0].x();
   ASSERT_NEAR(pressed, 2 * modulus * mean * 200e-8, 1e-3 * pressed);
   const double slip = 1e-9;
   const int n = 4000;
@@ -162,8 +163,8 @@ TEST(TwoBody, SlidingFrictionIsCoulombAndItsWorkIsInTheLedger) {
   lead(b, Vec3(0, slip, 0));
   b.steps(n);
   b->forces();
-  const auto& f = b->state().particles.force[0];
-  const Vec3 normal = (b->state().particles.position[1] - b->state().particles.position[0]).normalized();
+  const auto& f = b->state().particles.force()[0];
+  const Vec3 normal = (b->state().particles.position()[1] - b->state().particles.position()[0]).normalized();
   const double fn = -f.dot(normal), fs = (f + fn * normal).norm();
   EXPECT_NEAR(fs, friction * fn, 1e-9 * fn);
   const SimulationView view = b->view();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "breccia/error.hpp"
+#include "breccia/strided.hpp"
 #include "breccia/types.hpp"
 
 namespace breccia {
@@ -16,7 +17,7 @@ namespace breccia {
 class CellGrid {
  public:
   /// `cutoff` [m]: pairs farther apart than this need not be found. Points must be finite.
-  CellGrid(std::span<const Vec3> points, double cutoff) : points_(points) {
+  CellGrid(Strided<const Vec3> points, double cutoff) : points_(points) {
     BRECCIA_ASSERT(cutoff > 0);
     if (points.empty()) return;
     low_ = points[0];
@@ -89,7 +90,7 @@ class CellGrid {
     return (c[2] * count_[1] + c[1]) * count_[0] + c[0];
   }
 
-  std::span<const Vec3> points_;
+  Strided<const Vec3> points_;
   Vec3 low_ = Vec3::Zero();
   double cell_ = 1;
   std::size_t count_[3] = {0, 0, 0};

@@ -96,8 +96,8 @@ struct PerBond {
 /// What a law may know of the whole specimen when it derives its constants.
 struct Assembly {
   int dimension = 3;
-  double thickness = 1;                  // [m]
-  std::span<const double> radius, mass;  // [m], [kg]
+  double thickness = 1;                // [m]
+  Strided<const double> radius, mass;  // [m], [kg]
   std::span<const Index> bond_i, bond_j;
   double porosity = 0, coordination_number = 0;
 };

@@ -16,7 +16,7 @@ class Images {
   std::vector<Vec3> position;  // [m]
   std::vector<Index> of;       ///< the point that each is an image of
 
-  Images(const Space& space, std::span<const Vec3> points, double reach)
+  Images(const Space& space, Strided<const Vec3> points, double reach)
       : position(points.begin(), points.end()), of(points.size()), cell_(space.cell) {
     for (Index k = 0; k < of.size(); ++k) of[k] = k;
     if (!cell_.repeats() || points.empty()) return;
@@ -61,7 +61,7 @@ class Images {
 /// that are; all partners of i before those of i + 1. Of a space that repeats itself the cutoff is below half its
 /// width.
 template <class F>
-void for_each_pair_within(const Space& space, std::span<const Vec3> points, double cutoff, F&& f) {
+void for_each_pair_within(const Space& space, Strided<const Vec3> points, double cutoff, F&& f) {
   if (!space.cell.repeats()) return CellGrid(points, cutoff).for_each_pair(f);
   const Images all(space, points, cutoff);
   const CellGrid grid(all.position, cutoff);

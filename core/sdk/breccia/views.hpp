@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "breccia/space.hpp"
+#include "breccia/strided.hpp"
 
 namespace breccia {
 
@@ -32,13 +33,13 @@ struct SpecimenShape {
 };
 
 struct ParticlesView {
-  std::span<const Vec3> position, velocity, angular_velocity, initial_position;  // [m], [m/s], [rad/s], [m]
-  std::span<const Vec3> force, torque;  ///< undamped resultants at the current positions [N], [N m]
+  Strided<const Vec3> position, velocity, angular_velocity, initial_position;  // [m], [m/s], [rad/s], [m]
+  Strided<const Vec3> force, torque;    ///< undamped resultants at the current positions [N], [N m]
   std::span<const Vec3> applied_force;  ///< by the protocol [N]
   /// Of the applied force and of the force that holds a particle: (point where it acts - centre) (x) force [N m]; empty
   /// when there is none.
   std::span<const Mat3> boundary_moment;
-  std::span<const double> radius, mass;    // [m], [kg]
+  Strided<const double> radius, mass;      // [m], [kg]
   std::span<const std::uint8_t> held;      ///< velocity components that follow the protocol or the plane: bits of `dof`
   std::span<const Index> id;               ///< number in the packing
   std::span<const std::uint8_t> material;  ///< row of `SimulationView::materials`; empty when there is but one

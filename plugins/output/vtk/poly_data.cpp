@@ -79,7 +79,7 @@ void add_fields(vtkFieldData* data, std::span<const Field> fields, Field::On on,
   }
 }
 
-vtkSmartPointer<vtkPoints> points_of(std::span<const Vec3> positions) {
+vtkSmartPointer<vtkPoints> points_of(Strided<const Vec3> positions) {
   static_assert(sizeof(Vec3) == 3 * sizeof(double));
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToDouble();

@@ -171,7 +171,7 @@ class BagiStrain final : public Postprocessor {
     }
   }
 
-  std::span<const Vec3> of_kept(std::span<const Vec3> all, std::vector<Vec3>& into) const {
+  Strided<const Vec3> of_kept(Strided<const Vec3> all, std::vector<Vec3>& into) const {
     if (kept_.size() == all.size()) return all;
     into.clear();
     for (const Index k : kept_) into.push_back(all[k]);

@@ -10,7 +10,7 @@
 namespace breccia {
 namespace {
 
-double total_volume(const Triangulation& t, std::span<const Vec3> centre) {
+double total_volume(const Triangulation& t, Strided<const Vec3> centre) {
   double volume = 0;
   for (std::size_t s = 0; s < t.simplices.size(); ++s) volume += simplex_volume(t, s, centre);
   return volume;
@@ -18,7 +18,7 @@ double total_volume(const Triangulation& t, std::span<const Vec3> centre) {
 
 }  // namespace
 
-MeanStrain::MeanStrain(int dimension, std::span<const Vec3> reference, std::span<const double> radius, double gap_limit,
+MeanStrain::MeanStrain(int dimension, Strided<const Vec3> reference, Strided<const double> radius, double gap_limit,
                        std::span<const std::uint8_t> rigid)
     : triangulation_(triangulate(dimension, reference, radius)), reference_(reference.begin(), reference.end()) {
   const std::size_t count = reference.size();
@@ -74,14 +74,14 @@ MeanStrain::MeanStrain(int dimension, std::span<const Vec3> reference, std::span
   }
 }
 
-Mat3 MeanStrain::gradient(std::span<const Vec3> position) const {
+Mat3 MeanStrain::gradient(Strided<const Vec3> position) const {
   BRECCIA_ASSERT(position.size() == reference_.size());
   Mat3 g = Mat3::Zero();
   for (std::size_t p = 0; p < position.size(); ++p) g += (position[p] - reference_[p]) * weight_[p].transpose();
   return g;
 }
 
-std::vector<Mat3> MeanStrain::local_gradients(std::span<const Vec3> position) const {
+std::vector<Mat3> MeanStrain::local_gradients(Strided<const Vec3> position) const {
   BRECCIA_ASSERT(position.size() == reference_.size());
   const std::size_t count = position.size();
   std::vector<Mat3> sum(count, Mat3::Zero());

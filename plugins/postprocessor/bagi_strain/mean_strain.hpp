@@ -25,19 +25,19 @@ class MeanStrain {
 
   MeanStrain() = default;
   /// `gap_limit` [m]: see peel_hull. UserError when no simplex is left.
-  MeanStrain(int dimension, std::span<const Vec3> reference, std::span<const double> radius, double gap_limit,
+  MeanStrain(int dimension, Strided<const Vec3> reference, Strided<const double> radius, double gap_limit,
              std::span<const std::uint8_t> rigid = {});
 
   /// Mean displacement gradient, du_a/dx_b, when the centres have moved from the reference to `position`.
-  Mat3 gradient(std::span<const Vec3> position) const;
+  Mat3 gradient(Strided<const Vec3> position) const;
   /// The same for each particle: average over the simplices at its centre. Hidden particles take over the value of the
   /// nearest that is not.
-  std::vector<Mat3> local_gradients(std::span<const Vec3> position) const;
+  std::vector<Mat3> local_gradients(Strided<const Vec3> position) const;
 
   const Report& report() const { return report_; }
-  std::span<const Vec3> reference() const { return reference_; }
+  Strided<const Vec3> reference() const { return reference_; }
   /// Of each particle: the mean gradient is the sum of displacement (x) weight [1/m].
-  std::span<const Vec3> weights() const { return weight_; }
+  Strided<const Vec3> weights() const { return weight_; }
 
  private:
   Triangulation triangulation_;

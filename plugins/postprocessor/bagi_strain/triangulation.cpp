@@ -20,14 +20,14 @@ constexpr double flat_share = 1e-9;
 
 Vec3 in_plane_normal(const Vec3& edge) { return {edge.y(), -edge.x(), 0}; }
 
-double longest_edge(const Triangulation& t, const std::array<Index, 4>& s, std::span<const Vec3> centre) {
+double longest_edge(const Triangulation& t, const std::array<Index, 4>& s, Strided<const Vec3> centre) {
   double longest = 0;
   for (int a = 0; a < t.corners(); ++a)
     for (int b = a + 1; b < t.corners(); ++b) longest = std::max(longest, (centre[s[a]] - centre[s[b]]).norm());
   return longest;
 }
 
-void require_volume(int dimension, std::span<const Vec3> centre) {
+void require_volume(int dimension, Strided<const Vec3> centre) {
   const std::string what = dimension == 3 ? "tetrahedra" : "triangles";
   if (centre.size() < std::size_t(dimension) + 1)
     throw UserError("bagi_strain: the packing has " + std::to_string(centre.size()) +
@@ -58,7 +58,7 @@ double tie_breaker(std::size_t k) {
 /// Centred and scaled to one, so that Qhull's tolerances and the lifting do not lose digits. The cells of a lattice can
 /// be cut in many ways; a change of the squared radii by 1e-5 of their mean, far above rounding, settles all of them
 /// alike, so that neighbours meet face to face.
-std::vector<double> lift(int dimension, std::span<const Vec3> centre, std::span<const double> radius) {
+std::vector<double> lift(int dimension, Strided<const Vec3> centre, Strided<const double> radius) {
   Vec3 low = centre[0], high = centre[0];
   for (const Vec3& x : centre) {
     low = low.cwiseMin(x);
@@ -110,14 +110,14 @@ std::vector<Face> faces_of(const Triangulation& t) {
 
 }  // namespace
 
-double simplex_volume(const Triangulation& t, std::size_t simplex, std::span<const Vec3> centre) {
+double simplex_volume(const Triangulation& t, std::size_t simplex, Strided<const Vec3> centre) {
   const auto& s = t.simplices[simplex];
   const Vec3 ab = centre[s[1]] - centre[s[0]], ac = centre[s[2]] - centre[s[0]];
   if (t.dimension == 2) return 0.5 * (ab.x() * ac.y() - ab.y() * ac.x());
   return ab.dot(ac.cross(centre[s[3]] - centre[s[0]])) / 6;
 }
 
-std::array<Vec3, 4> shape_gradients(const Triangulation& t, std::size_t simplex, std::span<const Vec3> centre) {
+std::array<Vec3, 4> shape_gradients(const Triangulation& t, std::size_t simplex, Strided<const Vec3> centre) {
   const auto& s = t.simplices[simplex];
   const Vec3 ab = centre[s[1]] - centre[s[0]], ac = centre[s[2]] - centre[s[0]];
   std::array<Vec3, 4> g;
@@ -135,7 +135,7 @@ std::array<Vec3, 4> shape_gradients(const Triangulation& t, std::size_t simplex,
   return g;
 }
 
-Triangulation triangulate(int dimension, std::span<const Vec3> centre, std::span<const double> radius) {
+Triangulation triangulate(int dimension, Strided<const Vec3> centre, Strided<const double> radius) {
   require_volume(dimension, centre);
   Triangulation t;
   t.dimension = dimension;
@@ -154,7 +154,7 @@ Triangulation triangulate(int dimension, std::span<const Vec3> centre, std::span
   return t;
 }
 
-std::size_t peel_hull(Triangulation& t, std::span<const Vec3> centre, std::span<const double> radius, double limit) {
+std::size_t peel_hull(Triangulation& t, Strided<const Vec3> centre, Strided<const double> radius, double limit) {
   const std::size_t count = t.simplices.size();
   const auto spans_gap = [&](const std::array<Index, 4>& s) {
     for (int a = 0; a < t.corners(); ++a)

@@ -71,7 +71,7 @@ class Gauges final : public Postprocessor {
     double length = 0;  ///< at the start of loading [m]
   };
 
-  static double distance(std::span<const Vec3> x, const Gauge& g) {
+  static double distance(Strided<const Vec3> x, const Gauge& g) {
     const auto mean = [&](const std::vector<Index>& group) {
       double sum = 0;
       for (const Index k : group) sum += x[k].dot(g.direction);
@@ -85,7 +85,7 @@ class Gauges final : public Postprocessor {
 
   /// Groups and lengths as they are where displacements are counted from.
   void refer(const SimulationView& view) {
-    const std::span<const Vec3> x = view.particles.initial_position;
+    const Strided<const Vec3> x = view.particles.initial_position;
     const SpecimenShape& s = view.specimen;
     const Vec3 middle = s.base + 0.5 * s.height * s.axis;
     across_.clear();
@@ -107,7 +107,7 @@ class Gauges final : public Postprocessor {
     along_ = checked({s.axis, layer(-half), layer(half), 0}, x, "axial");
   }
 
-  static Gauge checked(Gauge g, std::span<const Vec3> x, const char* which) {
+  static Gauge checked(Gauge g, Strided<const Vec3> x, const char* which) {
     if (!g.low.empty() && !g.high.empty()) g.length = distance(x, g);
     if (!(g.length > 0))
       throw UserError(std::string("postprocessor gauges: the specimen has too few particles for the ") + which +
@@ -124,7 +124,7 @@ class Gauges final : public Postprocessor {
     return {first, axis.cross(first)};
   }
 
-  std::vector<Index> nearest(std::span<const Vec3> x, const Vec3& point) const {
+  std::vector<Index> nearest(Strided<const Vec3> x, const Vec3& point) const {
     std::vector<Index> all(x.size());
     std::iota(all.begin(), all.end(), Index(0));
     const std::size_t n = std::min(all.size(), std::size_t(c_.particles));

@@ -8,7 +8,7 @@ namespace breccia {
 
 /// Mean resultant on a particle over mean contact force: small values say that a run is quasi-static. 0 without
 /// contacts. Particles that `held` marks (one entry each, or none) have a resultant by intention and do not count.
-inline double unbalanced_force_ratio(std::span<const Vec3> forces, std::span<const PairForce> pairs,
+inline double unbalanced_force_ratio(Strided<const Vec3> forces, std::span<const PairForce> pairs,
                                      std::span<const std::uint8_t> held = {}) {
   double resultant = 0, contact = 0;
   std::size_t contacts = 0, particles = 0;
