@@ -70,9 +70,9 @@ Console::~Console() {
   }
 }
 
-void Console::log_to(const std::filesystem::path& file) {
+void Console::log_to(const std::filesystem::path& file, bool go_on) {
   try {
-    auto sink = std::make_shared<spdlog::sinks::basic_file_sink_mt>(file.string(), true);
+    auto sink = std::make_shared<spdlog::sinks::basic_file_sink_mt>(file.string(), !go_on);
     file_ = std::make_unique<spdlog::logger>("run", sink);
   } catch (const spdlog::spdlog_ex& e) { throw UserError("cannot write " + file.string() + ": " + e.what()); }
   file_->set_pattern("%Y-%m-%d %H:%M:%S %l: %v");

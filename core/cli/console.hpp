@@ -21,7 +21,7 @@ class Console final : public RunMonitor {
  public:
   explicit Console(int threads);
   ~Console();
-  void log_to(const std::filesystem::path& file);  ///< from now on also into this file
+  void log_to(const std::filesystem::path& file, bool go_on = false);  ///< from now on also into this file
   void info(std::string_view text) override;
   void warn(std::string_view text) override;
   void progress(std::string_view what, double done) override;

@@ -62,8 +62,15 @@ int dispatch(int argc, char** argv) {
 
   cli::RunArguments run;
   CLI::App* verb = app.add_subcommand("run", "Run a workflow");
-  verb->add_option("FILE", run.file, "the workflow (YAML)")->required();
-  verb->add_option("--output", run.output, "folder of the results; default: results/<workflow name>");
+  auto* run_file = verb->add_option("FILE", run.file, "the workflow (YAML)");
+  auto* resume = verb->add_option("--resume", run.resume,
+                                  "a folder of results: goes on from its newest checkpoint, with the workflow that "
+                                  "stands there, to the same results as if the run had not been stopped")
+                     ->excludes(run_file);
+  verb->add_flag("--accept-changed-plugins", run.accept_changed_plugins,
+                 "go on although a plugin or a file that was read is another one than at the beginning")
+      ->needs(resume);
+  verb->add_option("--output", run.output, "folder of the results; default: results/<workflow name>")->excludes(resume);
   verb->add_flag("--overwrite", run.overwrite, "replace the results of an earlier run in that folder");
   verb->add_option("--threads", run.threads, "threads; default: all cores. The results do not depend on it")
       ->check(CLI::Range(1, 1024));
@@ -72,7 +79,11 @@ int dispatch(int argc, char** argv) {
   verb->add_option("--set", run.overrides, "replace a value: path=value, e.g. contact_law.friction=0.3")
       ->expected(1)
       ->take_all();
-  verb->callback([&] { code = cli::run(run); });
+  for (const char* own : {"--overwrite", "--variant", "--set"}) verb->get_option(own)->excludes(resume);
+  verb->callback([&, run_file, resume] {
+    if (run_file->empty() && resume->empty()) throw CLI::RequiredError("FILE or --resume");
+    code = cli::run(run);
+  });
 
   std::vector<std::filesystem::path> files;
   std::vector<std::string> overrides;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <thread>
 
 #include "cli/console.hpp"
@@ -16,11 +17,17 @@ int run(const RunArguments& a) {
   Console console(a.threads > 0 ? a.threads : cores);
   Registry registry;
   for (const std::string& w : registry.warnings()) console.warn(w);
-  const LoadedWorkflow loaded = load_workflow(a.file, a.overrides, registry, a.variant);
-  const std::filesystem::path folder =
-      a.output.empty() ? std::filesystem::path("results") / loaded.workflow.name : a.output;
-  ResultsFolder results(folder, a.overwrite, console);
-  console.log_to(results.work() / "run.log");
+  std::optional<ResumePoint> resume;
+  if (!a.resume.empty()) resume = find_resume_point(a.resume, console);
+  const LoadedWorkflow loaded = load_workflow(resume ? resume->resolved : a.file, a.overrides, registry, a.variant);
+  const std::filesystem::path folder = resume             ? a.resume
+                                       : a.output.empty() ? std::filesystem::path("results") / loaded.workflow.name
+                                                          : a.output;
+  FolderRules rules;
+  rules.overwrite = a.overwrite;
+  rules.go_on = resume.has_value();
+  ResultsFolder results(folder, rules, console);
+  console.log_to(results.work() / "run.log", resume.has_value());
   console.info(
       fmt::format("breccia {}: workflow `{}` into {}", BRECCIA_VERSION, loaded.workflow.name, folder.string()));
   if (results.replaces_finished())
@@ -34,7 +41,9 @@ int run(const RunArguments& a) {
       results.take_over(!stopped);
       return results.path();
     };
-    const RunOutcome outcome = run_workflow(loaded, registry, {results.work(), default_cache_folder(), whole}, console);
+    const RunOptions options{results.work(), default_cache_folder(), whole, resume ? &*resume : nullptr,
+                             a.accept_changed_plugins};
+    const RunOutcome outcome = run_workflow(loaded, registry, options, console);
     if (!apart) results.take_over(outcome.failure.empty() && !outcome.summary["interrupted"].get<bool>());
     console.clear_bar();
     print_results(outcome.summary);

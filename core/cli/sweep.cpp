@@ -60,16 +60,19 @@ int run_one(const SweepArguments& a, const Sweep& sweep) {
     return before.state == CaseState::finished;
   };
   if (has_finished()) return ok;
-  CaseFolder record(folder, about_case(sweep, c, resolved), a.parent > 0, console);
+  std::optional<ResumePoint> resume = resume_case(folder, resolved.hash, console);
+  CaseFolder record(folder, about_case(sweep, c, resolved), a.parent > 0, resume.has_value(), console);
   if (has_finished()) return ok;  // while this process waited
   record.begin();
   try {
-    console.log_to(record.work() / "run.log");
+    console.log_to(record.work() / "run.log", resume.has_value());
     console.info(fmt::format("breccia {}: case {} of study `{}` into {}", BRECCIA_VERSION, c.number,
                              sweep.study().study.name, folder.string()));
-    const RunOutcome outcome = run_workflow(
-        resolved.loaded, sweep.registry(c),
-        {record.work(), default_cache_folder(), [&](bool stopped) { return record.whole(stopped); }}, console);
+    const RunOutcome outcome =
+        run_workflow(resolved.loaded, sweep.registry(c),
+                     {record.work(), default_cache_folder(), [&](bool stopped) { return record.whole(stopped); },
+                      resume ? &*resume : nullptr},
+                     console);
     console.clear_bar();
     if (!outcome.failure.empty()) {
       record.failed(outcome.failure);

@@ -11,11 +11,11 @@ namespace breccia::cli {
 constexpr int ok = 0, failure = 1, bad_input = 2, interrupted = 130;
 
 struct RunArguments {
-  std::filesystem::path file, output;
+  std::filesystem::path file, output, resume;
   std::vector<std::string> overrides;
   std::string variant;
   int threads = 0;  ///< 0: as many as the machine has
-  bool overwrite = false;
+  bool overwrite = false, accept_changed_plugins = false;
 };
 
 struct RenderArguments {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "engine/archive_by_id.hpp"
 #include "model/state.hpp"
 
 namespace breccia {
@@ -41,6 +42,13 @@ class ExternalLoads {
   bool any(Index particle) const { return any_[particle / group]; }       ///< in the particle's group
   const Vec3& force(Index particle) const { return force_[particle]; }    // [N]
   const Vec3& torque(Index particle) const { return torque_[particle]; }  // [N m]
+
+  /// As they stand: the protocol's changes have left their rounding in them.
+  void archive(Archive& archive, const std::vector<Index>& id) {
+    archive_by_id(archive, "force", Strided<Vec3>(force_), id);
+    archive_by_id(archive, "torque", Strided<Vec3>(torque_), id);
+    archive("groups", any_);
+  }
 
  private:
   std::vector<Vec3> force_, torque_;

@@ -87,6 +87,15 @@ void Simulation::rebuild() {
   fold_chunk_sums();
   rebuild_pairs(state_, laws_, skin_, spare_pairs_, settings_.threads);
   rebuild_wall_touches(state_, skin_);
+  deal_pairs();
+  // Rows that no wall touches any more go back to the applied force alone.
+  loads_.reset(state_);
+  look();
+  ++rebuilds_;
+}
+
+/// What follows from the list of pairs.
+void Simulation::deal_pairs() {
   incidence_ = make_incidence(state_, settings_.threads);
   chunks_ = make_chunks(state_);
   partition_ = make_partition(state_, incidence_, chunks_, settings_.threads);
@@ -98,10 +107,6 @@ void Simulation::rebuild() {
     for (std::size_t k = 0; k < state_.pairs.size(); ++k)
       if (const Index b = state_.pairs.bond[k]; b != PairsView::no_bond) guarded_pairs_[k] = guarded[b];
   }
-  // Rows that no wall touches any more go back to the applied force alone.
-  loads_.reset(state_);
-  look();
-  ++rebuilds_;
 }
 
 /// Asks those pairs for a shorter time step that have come near.

@@ -61,6 +61,10 @@ class Simulation final : public LoadControl {
   bool loading_started() const { return loading_started_; }
   double porosity() const;  ///< 1 - sum of particle volumes / specimen volume
 
+  /// Between a step's `advance()` and the next one's `forces()`: all that the steps to come depend on. Read into a
+  /// simulation of the same packing, bonds, laws and walls, on which `prepare()` was called; any number of threads.
+  void archive(Archive& archive);
+
   std::size_t add_wall(const WallSpec& spec) override;
   void set_wall_velocity(std::size_t wall, const Vec3& velocity) override;
   void hold(Index particle, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity,
@@ -85,6 +89,8 @@ class Simulation final : public LoadControl {
 
  private:
   void rebuild();
+  void deal_pairs();
+  void archive_lists(Archive& archive);
   void look();
   void add_mass_for_step();
   double share_of_critical() const;

@@ -32,6 +32,8 @@ class SpectralStep {
               const std::vector<Index>& changed, double bound_of_changed, double step);
 
   int products() const { return products_; }  ///< in all: what the estimates cost
+  /// `id`: of the particles, in the packing.
+  void archive(Archive& archive, const std::vector<Index>& id);
 
  private:
   Result climb(const StiffnessOperator& system, int threads, int at_least);

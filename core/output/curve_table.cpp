@@ -50,15 +50,39 @@ void CurveTable::open(const std::filesystem::path& path) {
 }
 
 void CurveTable::end_row() {
-  std::string line;
   for (std::size_t c = 0; c < columns_.size(); ++c) {
     values_[c].push_back(current_[c]);
-    if (c) line += ',';
-    if (std::isfinite(current_[c])) line += fmt::format("{}", current_[c]);
     current_[c] = std::numeric_limits<double>::quiet_NaN();
   }
-  file_->write(line + "\n");
+  write_row(rows_);
   if (++rows_ % 20 == 0) file_->flush();
+}
+
+void CurveTable::write_row(std::size_t row) {
+  std::string line;
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    if (c) line += ',';
+    if (std::isfinite(values_[c][row])) line += fmt::format("{}", values_[c][row]);
+  }
+  file_->write(line + "\n");
+}
+
+void CurveTable::archive(Archive& archive) {
+  BRECCIA_ASSERT(file_);
+  std::uint64_t rows = rows_;
+  archive("rows", rows);
+  std::vector<std::string> names, own;
+  for (const Column& c : columns_) own.push_back(header_name(c));
+  names = own;
+  archive("names", names);
+  if (names != own) throw UserError("the checkpoint has other curves than this run");
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    if (archive.reading()) values_[c].resize(rows);
+    archive("column_" + std::to_string(c), Strided<double>(values_[c]));
+  }
+  if (!archive.reading()) return;
+  for (rows_ = 0; rows_ < rows; ++rows_) write_row(rows_);
+  file_->flush();
 }
 
 void CurveTable::close() {

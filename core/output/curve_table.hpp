@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 
+#include "breccia/archive.hpp"
 #include "breccia/services.hpp"
 #include "output/atomic_file.hpp"
 
@@ -30,9 +31,12 @@ class CurveTable final : public Recorder, public Curves {
   void open(const std::filesystem::path& path);
   /// Ends the current row and writes it; columns that nobody set are NaN (empty in the file).
   void end_row();
-  void close();  ///< the file takes its final name
+  void close();                    ///< the file takes its final name
+  void archive(Archive& archive);  ///< the rows; read after `open`, they are written to the file anew
 
  private:
+  void write_row(std::size_t row);
+
   std::vector<Column> columns_;
   std::map<std::string, std::size_t, std::less<>> index_;
   std::vector<std::vector<double>> values_;

@@ -155,6 +155,7 @@ void ResultsFolder::check_place() const {
     (name == staging_name ? torso : others) = true;
   }
   if (!torso && !others) return;
+  if (rules_.go_on) return;  // whoever goes on has seen that these are results
   if (!rules_.overwrite && others)
     throw UserError("the folder " + folder_.string() +
                     " already holds files; nothing was changed. Choose another with --output, or allow its results to "
@@ -180,9 +181,28 @@ void ResultsFolder::check_place() const {
                     ", which is not Breccia's: nothing was changed. Choose another folder with --output");
 }
 
-void ResultsFolder::make_work() {
-  fs::remove_all(work_);  // what a killed run left
+/// Results that a run was stopped in are brought back to where they grew: as links, since what is written takes the
+/// place of a file and never changes it; but for the log, which is added to.
+void ResultsFolder::take_back() {
+  if (read_manifest(work_).valid) return;  // a killed run left them there
+  fs::remove_all(work_);
   fs::create_directory(work_);
+  for (const std::string& file : read_manifest(folder_).files) {
+    if (!fs::is_regular_file(folder_ / file)) continue;
+    fs::create_directories((work_ / file).parent_path());
+    std::error_code error;
+    if (file != "run.log") fs::create_hard_link(folder_ / file, work_ / file, error);
+    if (file == "run.log" || error) fs::copy_file(folder_ / file, work_ / file);
+  }
+}
+
+void ResultsFolder::make_work() {
+  if (rules_.go_on) {
+    take_back();
+  } else {
+    fs::remove_all(work_);  // what a killed run left
+    fs::create_directory(work_);
+  }
   write_manifest(work_, rules_.kind, {}, false);
   std::error_code ignored;
   const auto& files = rules_.expected;

@@ -39,6 +39,7 @@ struct FolderRules {
   std::vector<std::string> expected = {"curves.csv", "curves.json", "resolved.yaml", "run.log",
                                        "summary.json"};  ///< will be written
   std::string parts = {};  ///< a folder within whose parts look after themselves (the cases of a study); not touched
+  bool go_on = false;      ///< what a run has left is kept, for it to go on
 };
 
 /// Where a run leaves its results. What is there already is touched only with `overwrite`, and of that only what
@@ -73,6 +74,7 @@ class ResultsFolder {
  private:
   void check_place() const;
   void make_work();
+  void take_back();
   FolderRules rules_;
   std::filesystem::path folder_, work_;
   bool replaces_ = false, done_ = false, keep_ = false;

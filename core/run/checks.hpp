@@ -44,6 +44,7 @@ class LoadingChecks {
   void sample(Simulation& simulation, double load, Host& host);
   /// `peak`: the largest load of all steps.
   void finish(const Simulation& simulation, double peak, Host& host) const;
+  void archive(Archive& archive);
 
  private:
   void look_for_speed(Simulation& simulation, Host& host);

@@ -58,6 +58,17 @@ void Frames::add_fields(const SimulationView& view, std::vector<Field>& fields) 
   }
 }
 
+void Frames::archive(Archive& archive, std::vector<std::string>& unknown) {
+  const Archive::Group outputs(archive, "outputs");
+  for (Scheduled& s : outputs_) {
+    const Archive::Group group(archive, s.output.label());
+    archive("interval", s.interval);
+    archive("next", s.next);
+    archive("last", s.last);
+    s.output.archive(archive, unknown);
+  }
+}
+
 void Frames::finish() {
   for (Scheduled& s : outputs_)
     if (!s.output.has_failed()) s.output.call("ending its files", [](Output& o) { o.finish(); });

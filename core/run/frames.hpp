@@ -22,6 +22,8 @@ class Frames {
   /// Writes the outputs whose time has come; all of them when `forced` (first and last state).
   void at(const SimulationView& view, bool forced);
   void finish();  ///< of all but those that have failed
+  /// After `begin`. Adds to `unknown` who does not say what changes in it while it runs.
+  void archive(Archive& archive, std::vector<std::string>& unknown);
 
  private:
   void add_fields(const SimulationView& view, std::vector<Field>& fields);

@@ -35,6 +35,13 @@ class Listed {
       throw;
     }
   }
+  /// What changes in it while it runs; adds it to `unknown` when it does not say.
+  void archive(Archive& archive, std::vector<std::string>& unknown) {
+    if (failed_) return;
+    call(archive.reading() ? "reading a checkpoint" : "writing a checkpoint", [&](P& plugin) {
+      if (!plugin.archive(archive)) unknown.push_back(std::string(P::kind) + " `" + label_ + "`");
+    });
+  }
   const std::string& label() const { return label_; }
   std::string prefix() const { return name_.empty() ? "" : name_ + "_"; }
   bool is_named() const { return !name_.empty(); }

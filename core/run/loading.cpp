@@ -34,6 +34,18 @@ LoadingStep Loading::step(bool last) {
   return now;
 }
 
+void Loading::archive(Archive& archive) {
+  archive("look", look_);
+  archive("row", row_);
+  archive("end", end_);
+  archive("load", load_);
+  archive("load_of_row", load_of_row_);
+  archive("peak", peak_);
+  archive("peak_of_rows", peak_of_rows_);
+  archive("load_scale", load_scale_);
+  archive("step_of_row", step_of_row_);
+}
+
 /// Large changes since the last row, and a maximum as soon as it is over.
 bool Loading::load_calls_for_row() const {
   constexpr std::uint64_t apart = 10;        // steps between two rows at the least

@@ -31,6 +31,8 @@ class Loading {
   /// The protocol's largest load so far, and the largest that a row shows.
   double peak() const { return peak_; }
   double peak_of_rows() const { return peak_of_rows_; }
+  bool ends() const { return end_; }  ///< the step to come is the last
+  void archive(Archive& archive);
 
  private:
   bool load_calls_for_row() const;

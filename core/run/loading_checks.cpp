@@ -113,4 +113,14 @@ void LoadingChecks::finish(const Simulation& simulation, double peak, Host& host
                     most, limits_.unbalanced_force));
 }
 
+void LoadingChecks::archive(Archive& archive) {
+  archive("rows", rows_);
+  archive("wall_overlap", wall_overlap_);
+  archive("pair_overlap", pair_overlap_);
+  archive("pair_mean", pair_mean_);
+  archive("wave_speed", wave_speed_);
+  archive("walls_speed", walls_speed_);
+  archive("fast", fast_);
+}
+
 }  // namespace breccia

@@ -10,6 +10,7 @@
 #include "breccia/postprocessor.hpp"
 #include "breccia/protocol.hpp"
 #include "breccia/protocol_tools/axial_config.hpp"
+#include "breccia/sdk_abi.hpp"
 #include "breccia/utf8.hpp"
 #include "config/writer.hpp"
 #include "engine/assembly.hpp"
@@ -17,6 +18,7 @@
 #include "engine/specimen.hpp"
 #include "output/curve_table.hpp"
 #include "output/summary_table.hpp"
+#include "run/checkpoints.hpp"
 #include "run/checks.hpp"
 #include "run/columns.hpp"
 #include "run/contact_laws.hpp"
@@ -56,6 +58,7 @@ class Run {
 
   RunOutcome operator()() {
     const auto start = Clock::now();
+    if (options_.resume) (*options_.resume->checkpoint)("warnings", monitor_);  // what was said is not said again
     for (const std::string& doubt : doubts_) monitor_.warn(doubt);
     places_.placing([&] {
       create_plugins();
@@ -86,6 +89,9 @@ class Run {
     const int dimension = int(w_.dimension);
     packing_ = obtain_packing(registry_, w_.packing, w_.packing_request(), options_.packing_cache, monitor_);
     report_packing();
+    if (options_.resume)
+      refuse_changes(options_.resume->about, provenance_of(w_, registry_, packing_.hash),
+                     options_.accept_changed_plugins, monitor_);
     EngineSettings settings;
     settings.damping = {w_.damping.translational, w_.damping.rotational};
     settings.time_step = w_.engine.time_step;
@@ -133,13 +139,16 @@ class Run {
   /// The full input, and what made the result: running it again gives the same bits.
   void write_resolved() {
     const Json provenance = provenance_of(w_, registry_, packing_.hash);
-    for (const std::string& change : changes_since(w_.provenance, provenance)) monitor_.warn(change);
+    if (!options_.resume)
+      for (const std::string& change : changes_since(w_.provenance, provenance)) monitor_.warn(change);
     config_["provenance"] = provenance;
     if (!is_utf8(config_))
       monitor_.warn("the name of an input file is not UTF-8: resolved.yaml cannot state it and cannot be run again");
-    write_file(options_.folder / "resolved.yaml",
-               "# The full input of this run, defaults included; run it again for the same result.\n" +
-                   write_yaml(config_, workflow_schema(), registry_));
+    about_ = {BRECCIA_VERSION,
+              "# The full input of this run, defaults included; run it again for the same result.\n" +
+                  write_yaml(config_, workflow_schema(), registry_),
+              provenance.dump(-1, ' ', false, Json::error_handler_t::replace), BRECCIA_SDK_ABI};
+    write_file(options_.folder / "resolved.yaml", about_.resolved);
   }
 
   void loop() {
@@ -152,12 +161,17 @@ class Run {
         spectral ? fmt::format("of the fastest mode: {:.2f} times the bound of single particles", sim.step_over_bound())
                  : "the bound of single particles",
         sim.state().pairs.size(), monitor_.threads(), monitor_.threads() == 1 ? "" : "s"));
-    Loading loading(sim, *laws_, *protocol_, protocol_id(),
-                    {std::uint64_t(w_.sampling.every_steps), w_.sampling.load_change});
+    Loading& loading = loading_.emplace(sim, *laws_, *protocol_, protocol_id(),
+                                        Sampling{std::uint64_t(w_.sampling.every_steps), w_.sampling.load_change});
+    Checkpoints checkpoints(
+        w_.checkpoints, options_.folder, [&](Archive& to) { return archive(to); }, monitor_);
+    if (options_.resume) go_on();
+    checkpoints.start_from({sim.time(), sim.state().step});
     try {
       for (;;) {
         auto start = Clock::now();
         const bool cancelled = monitor_.cancelled();
+        checkpoints.at({sim.time(), sim.state().step}, cancelled || (w_.checkpoints.at_end && loading.ends()));
         in_row_ = false;
         const LoadingStep now = loading.step(cancelled);
         loop_seconds_ += seconds_since(start);
@@ -180,6 +194,42 @@ class Run {
     if (viewable_) attempt([&] { frames_->at(sim.view(), true); });
     attempt([&] { frames_->finish(); });
     curves_.close();
+  }
+
+  /// All that the steps to come depend on, both ways. Returns who does not say what belongs there.
+  std::vector<std::string> archive(Archive& to) {
+    std::vector<std::string> unknown;
+    if (!to.reading()) to("about", about_);
+    if (!to.reading()) to("warnings", monitor_);
+    to("engine", *simulation_);
+    to("loading", *loading_);
+    {
+      const Archive::Group group(to, "protocol");
+      calling(protocol_id(), to.reading() ? "reading a checkpoint" : "writing a checkpoint", [&] {
+        if (!protocol_->archive(to)) unknown.push_back("protocol `" + w_.protocol.type + "`");
+      });
+    }
+    {
+      const Archive::Group posts(to, "postprocessors");
+      for (auto& p : posts_) {
+        const Archive::Group group(to, p.label());
+        p.archive(to, unknown);
+      }
+    }
+    frames_->archive(to, unknown);
+    to("curves", curves_);
+    to("energy_check", energy_check_);
+    to("loading_checks", *loading_checks_);
+    return unknown;
+  }
+
+  void go_on() {
+    if (const auto unknown = archive(*options_.resume->checkpoint); !unknown.empty())
+      throw UserError("the checkpoint cannot be used: " + unknown.front() + " does not say what changes in it");
+    monitor_.info(fmt::format("goes on from {}: step {}, {:.4g} s, {} rows of curves",
+                              options_.resume->checkpoint->file().string(), simulation_->state().step,
+                              simulation_->time(), curves_.rows()));
+    options_.resume->checkpoint.reset();
   }
 
   void report_added_mass() {
@@ -371,6 +421,8 @@ class Run {
   SummaryTable summary_;
   std::optional<EnergyCheck> energy_check_;
   std::optional<LoadingChecks> loading_checks_;
+  std::optional<Loading> loading_;
+  CheckpointAbout about_;
   std::size_t time_column_ = 0;
   double loop_seconds_ = 0;
   bool interrupted_ = false;

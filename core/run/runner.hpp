@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "breccia/services.hpp"
+#include "run/resume.hpp"
 #include "run/workflow.hpp"
 
 namespace breccia {
@@ -33,6 +34,8 @@ struct RunOptions {
   /// Called when all but the pictures is written, with whether the run was stopped on request; may take the files away
   /// to where they belong. Returns where they are now. Optional.
   std::function<std::filesystem::path(bool interrupted)> whole = {};
+  ResumePoint* resume = nullptr;  ///< goes on from there; `folder` holds what the run had written
+  bool accept_changed_plugins = false;
 };
 
 struct RunOutcome {

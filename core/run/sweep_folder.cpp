@@ -50,8 +50,24 @@ CaseRecord read_case(const fs::path& folder, const std::string& hash, Host& host
   return {CaseState::unfinished, ""};
 }
 
-CaseFolder::CaseFolder(const fs::path& folder, Json about, bool wait, Host& host) : about_(std::move(about)) {
+std::optional<ResumePoint> resume_case(const fs::path& folder, const std::string& hash, Host& host) {
+  const fs::path growing = unfinished_results(folder);
+  const fs::path& latest = growing.empty() ? folder : growing;
+  const Json about = read_json(latest / case_file);
+  if (text_of(about, "inputs_sha256") != hash || text_of(about, "status") == "failed") return std::nullopt;
+  if (checkpoints_in(latest / "checkpoints").empty()) return std::nullopt;
+  try {
+    return find_resume_point(folder, host);
+  } catch (const UserError& e) {
+    host.warn(std::string("the case begins anew: ") + e.what());
+    return std::nullopt;
+  }
+}
+
+CaseFolder::CaseFolder(const fs::path& folder, Json about, bool wait, bool go_on, Host& host)
+    : about_(std::move(about)) {
   FolderRules rules{true};
+  rules.go_on = go_on;
   rules.expected.emplace_back(case_file);
   for (int tries = 0; !results_; ++tries) {
     try {

@@ -6,6 +6,7 @@
 
 #include "breccia/services.hpp"
 #include "output/results_folder.hpp"
+#include "run/resume.hpp"
 #include "run/sweep_cases.hpp"
 
 namespace breccia {
@@ -30,13 +31,17 @@ std::filesystem::path case_folder(const std::filesystem::path& results, const Sw
 /// finished or failed.
 CaseRecord read_case(const std::filesystem::path& folder, const std::string& hash, Host& host);
 
+/// Where a case that was stopped or killed goes on; empty when it begins anew: no checkpoint of these inputs.
+std::optional<ResumePoint> resume_case(const std::filesystem::path& folder, const std::string& hash, Host& host);
+
 /// The folder of a case: its results are made, kept and closed to other processes as those of any run; case.json is one
 /// of them. Finished results are replaced by finished ones only.
 class CaseFolder {
  public:
   /// FolderInUse when the case is being run elsewhere; `wait`: if that goes on for half a minute (a process may be
-  /// about to end whose study was killed). UserError for a folder that cannot be used.
-  CaseFolder(const std::filesystem::path& folder, Json about, bool wait, Host& host);
+  /// about to end whose study was killed). `go_on`: with what the case has left. UserError for a folder that cannot be
+  /// used.
+  CaseFolder(const std::filesystem::path& folder, Json about, bool wait, bool go_on, Host& host);
 
   const std::filesystem::path& work() const { return results_->work(); }  ///< where files are to be written
   /// From here on case.json says how the case stands (when the process is killed it goes on saying `running`).

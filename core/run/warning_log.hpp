@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "breccia/archive.hpp"
 #include "breccia/services.hpp"
 
 namespace breccia {
@@ -25,6 +26,7 @@ class WarningLog : public Monitor {
   bool cancelled() const override { return to_.cancelled(); }
   int threads() const override { return to_.threads(); }
   const std::vector<std::string>& warnings() const { return warnings_; }
+  void archive(Archive& archive) { archive("warnings", warnings_); }
 
  protected:
   Monitor& to_;

@@ -255,6 +255,9 @@ void Workflow::describe(Schema<Workflow>& s) {
   s.param("protocol", &Workflow::protocol).kind("protocol").doc("the test");
   s.param("engine", &Workflow::engine).fallback(defaults).doc("numerical settings");
   s.param("sampling", &Workflow::sampling).fallback(defaults).doc("when curves are measured");
+  s.param("checkpoints", &Workflow::checkpoints)
+      .fallback(defaults)
+      .doc("states of the run from which `breccia run --resume` goes on, with the same results to the last bit");
   s.param("checks", &Workflow::checks)
       .fallback(defaults)
       .doc("from where on input, or what becomes of it, is called almost surely wrong: warnings, no part of the test");

@@ -44,6 +44,15 @@ struct SamplingConfig {
   static void describe(Schema<SamplingConfig>& s);
 };
 
+struct CheckpointsConfig {
+  double every;  // [s]
+  std::optional<double> every_simulated;
+  std::optional<long> every_steps;
+  long keep;
+  bool at_end;
+  static void describe(Schema<CheckpointsConfig>& s);
+};
+
 struct Workflow {
   std::optional<std::filesystem::path> base;  ///< never set: merged away when the file is read
   std::string name, description;
@@ -60,6 +69,7 @@ struct Workflow {
   DampingConfig damping;
   EngineConfig engine;
   SamplingConfig sampling;
+  CheckpointsConfig checkpoints;
   ChecksConfig checks;
   std::vector<PluginChoice> postprocessors, outputs, renderers;
   Json reference, provenance;

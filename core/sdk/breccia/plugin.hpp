@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "breccia/archive.hpp"
 #include "breccia/schema.hpp"
 #include "breccia/sdk_abi.hpp"
 
@@ -15,6 +16,11 @@ namespace breccia {
 class BRECCIA_API Plugin {
  public:
   virtual ~Plugin() = default;
+  /// What changes in the plugin while a test runs, for checkpoints: writes it, or reads it back into a plugin that was
+  /// made and set up anew, from the same workflow, for the same specimen. Asked of protocols, post-processors and
+  /// outputs. True: that is all there is, or there is nothing; false: it is not known here, and runs with this plugin
+  /// have no checkpoints. What is kept for speed alone is left out.
+  virtual bool archive(Archive&) { return false; }
 };
 
 /// Makes and documents the plugin of one shared library.

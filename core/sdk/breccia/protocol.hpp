@@ -100,8 +100,6 @@ class BRECCIA_API Protocol : public Plugin {
   virtual double share_done() const = 0;             ///< estimate, 0 to 1, for the progress bar
   virtual std::string status() const { return {}; }  ///< a few words for it ("stress 120 MPa")
   virtual void finish(const SimulationView&, const Curves&, Summary&) {}
-  /// Everything that changes while it runs, as one trivially copyable object: goes into checkpoints.
-  virtual std::span<std::byte> state() { return {}; }
 };
 
 }  // namespace breccia

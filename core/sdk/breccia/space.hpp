@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "breccia/archive.hpp"
 #include "breccia/types.hpp"
 
 namespace breccia {
@@ -46,6 +47,10 @@ class Cell {
   /// Distance of the two faces that the cell's vector `k` joins [m]: what is nearer than half of it has one image
   /// there.
   double width(int k) const { return 1 / inverse_.row(k).norm(); }
+  void archive(Archive& archive) {
+    archive("vectors", vectors_);
+    if (archive.reading()) *this = Cell(Mat3(vectors_));
+  }
 
  private:
   Mat3 vectors_ = Mat3::Zero(), inverse_ = Mat3::Zero();

@@ -15,6 +15,10 @@ enum class Precision { single_precision, double_precision };
 /// Corners of a box around the particles, surfaces included [m].
 struct Bounds {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();
+  void archive(Archive& archive) {
+    archive("low", low);
+    archive("high", high);
+  }
 };
 Bounds bounds_of(const ParticlesView& particles);
 

@@ -64,12 +64,26 @@ void Series::resume(double time) {
 void Series::append(vtkPolyData* data, double time) {
   if (!started_) resume(time);
   started_ = true;
-  std::string count = std::to_string(entries_.size());
-  if (count.size() < 6) count.insert(0, 6 - count.size(), '0');
-  const std::string file = name_ + "_" + count + ".vtp";
+  const std::string file = file_name(entries_.size());
   write_poly_data(data, directory_ / file);
   entries_.push_back({time, file});
   write_collection();
+}
+
+std::string Series::file_name(std::size_t number) const {
+  std::string count = std::to_string(number);
+  if (count.size() < 6) count.insert(0, 6 - count.size(), '0');
+  return name_ + "_" + count + ".vtp";
+}
+
+void Series::archive(Archive& archive) {
+  archive("entries", entries_);
+  archive("started", started_);
+  if (!archive.reading()) return;
+  std::error_code error;
+  for (std::size_t k = entries_.size(); fs::remove(directory_ / file_name(k), error); ++k) continue;
+  if (!entries_.empty()) write_collection();
+  else fs::remove(directory_ / (name_ + ".pvd"), error);
 }
 
 void Series::write_collection() const {

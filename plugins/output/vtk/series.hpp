@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "breccia/archive.hpp"
+
 class vtkPolyData;
 
 namespace breccia::vtk_output {
@@ -19,14 +21,21 @@ class Series {
   /// Writes one frame and lists it. Frames of an earlier run in the same folder that lie before `time` [s] of the first
   /// frame stay listed (a resumed run), others are dropped. UserError, naming the file, when the disk refuses.
   void append(vtkPolyData* data, double time);
+  /// What is read leads to a folder in which frames were written after the checkpoint: these are removed.
+  void archive(Archive& archive);
 
  private:
   struct Entry {
-    double time;
+    double time = 0;
     std::string file;
+    void archive(Archive& archive) {
+      archive("time", time);
+      archive("file", file);
+    }
   };
   void resume(double time);
   void write_collection() const;
+  std::string file_name(std::size_t number) const;
 
   std::filesystem::path directory_;
   std::string name_;

@@ -61,6 +61,13 @@ class VtkOutput final : public Output {
   }
 
   double interval() const override { return config_.interval; }
+  bool archive(Archive& archive) override {
+    archive("particles", *particles_);
+    archive("bonds", *bonds_);
+    archive("walls", *walls_);
+    archive("specimen", specimen_);
+    return true;
+  }
 
  private:
   Config config_;

@@ -79,6 +79,7 @@ class BagiStrain final : public Postprocessor {
   void start_of_loading(const SimulationView& view) override { refer(view); }
 
   void sample(const SimulationView& view, Recorder& recorder) override {
+    if (stale_) triangulate_reference(view);
     const Mat3 e = symmetric(mean_.gradient(of_kept(view.particles.position, position_)));
     const double components[6] = {e(0, 0), e(1, 1), e(2, 2), e(0, 1), e(1, 2), e(2, 0)};
     for (std::size_t k = 0; k < 6; ++k) recorder.set(tensor_[k], components[k]);
@@ -89,6 +90,7 @@ class BagiStrain final : public Postprocessor {
   }
 
   void fields(const SimulationView& view, std::vector<Field>& fields) override {
+    if (stale_) triangulate_reference(view);
     Field axial{Field::On::particles, "axial_strain_local", "1", 1, {}};
     Field volumetric{Field::On::particles, "volumetric_strain_local", "1", 1, {}};
     const std::vector<Mat3> gradients = mean_.local_gradients(of_kept(view.particles.position, position_));
@@ -116,6 +118,12 @@ class BagiStrain final : public Postprocessor {
     const double specimen = view.specimen.volume;
     summary.own("triangulated_share_of_specimen", specimen > 0 ? Json(volume / specimen) : Json());
   }
+  bool archive(Archive& archive) override {
+    archive("reference", reference_);
+    archive("held", held_);
+    stale_ = archive.reading();
+    return true;
+  }
 
  private:
   /// The reference is what the engine counts displacements from; it, and who is held, can only change at the start of
@@ -127,6 +135,12 @@ class BagiStrain final : public Postprocessor {
     if (held == held_ && std::equal(now.begin(), now.end(), reference_.begin(), reference_.end())) return;
     reference_.assign(now.begin(), now.end());
     held_ = std::move(held);
+    triangulate_reference(view);
+  }
+
+  void triangulate_reference(const SimulationView& view) {
+    const ParticlesView& p = view.particles;
+    stale_ = false;
     double mean_radius = 0;
     for (const double r : p.radius) mean_radius += r / double(p.size());
     choose(view);
@@ -137,7 +151,8 @@ class BagiStrain final : public Postprocessor {
       radius.push_back(p.radius[k]);
       rigid.push_back(!held_.empty() && (held_[k] & all) == all);
     }
-    mean_ = MeanStrain(view.dimension, of_kept(now, position_), radius, config_.hull_gap * 2 * mean_radius, rigid);
+    mean_ =
+        MeanStrain(view.dimension, of_kept(reference_, position_), radius, config_.hull_gap * 2 * mean_radius, rigid);
   }
 
   /// The particles that count, and for each particle the one whose local strain it shows: itself, or the nearest that
@@ -183,6 +198,7 @@ class BagiStrain final : public Postprocessor {
   std::vector<Index> kept_, shown_as_;
   std::vector<Vec3> reference_, position_;
   std::vector<std::uint8_t> held_;
+  bool stale_ = false;  ///< the reference came from a checkpoint
   std::array<std::size_t, 6> tensor_{};
   std::size_t axial_ = 0, lateral_ = 0, volumetric_ = 0;
 };

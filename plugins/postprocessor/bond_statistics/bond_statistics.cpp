@@ -167,6 +167,7 @@ class BondStatistics final : public Postprocessor {
     for (const Quantity& q : quantities)
       summary.own({std::string("at_peak.") + q.key, q.unit}, curves.column(q.name)[row]);
   }
+  bool archive(Archive&) override { return true; }
 
  private:
   Config config_;

@@ -105,6 +105,10 @@ class ContactStress final : public Postprocessor {
       report(s, when + ".", summary);
     }
   }
+  bool archive(Archive& archive) override {
+    archive("loading", loading_);
+    return true;
+  }
 
  private:
   /// Of all contacts together.

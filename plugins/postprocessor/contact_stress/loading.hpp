@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "breccia/archive.hpp"
 #include "breccia/views.hpp"
 
 namespace breccia {
@@ -20,6 +21,11 @@ struct Snapshot {
   double axial_stress = 0;         ///< of the specimen, compression positive [Pa]
   double time = 0;                 ///< [s]
   std::vector<DirectionBin> bins;  ///< equal intervals from 0 (across the axis) to pi/2 (along it)
+  void archive(Archive& archive) {
+    archive("axial_stress", axial_stress);
+    archive("time", time);
+    archive("bins", bins);
+  }
 };
 
 /// Mean stress of the specimen along its axis, compression positive [Pa]: sum over pairs, walls and applied forces.
@@ -41,6 +47,10 @@ class FirstLoading {
   const Snapshot* peak() const { return highest_ ? &*highest_ : nullptr; }
   /// The one nearest to this share of the highest stress; null when nothing was compressed.
   const Snapshot* at(double share) const;
+  void archive(Archive& archive) {
+    archive("levels", levels_);
+    archive("highest", highest_);
+  }
 
  private:
   std::size_t bins_;

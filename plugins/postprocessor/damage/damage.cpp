@@ -119,6 +119,10 @@ class Damage final : public Postprocessor {
     });
     if (!by_materials.empty()) summary.own("by_materials", std::move(by_materials));
   }
+  bool archive(Archive& archive) override {
+    archive("before_loading", before_loading_);
+    return true;
+  }
 
  private:
   /// Broken bonds never heal: the fragments stay the same while the count does.

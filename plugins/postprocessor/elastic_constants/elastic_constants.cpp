@@ -142,6 +142,7 @@ class ElasticConstants final : public Postprocessor {
     else if (!slope)
       summary.own("note", "fewer than three samples lie in the range of the slope; sample more often or widen it");
   }
+  bool archive(Archive&) override { return true; }
 
  private:
   std::vector<double> load(const Curves& curves, const std::string& name) const {

@@ -76,6 +76,10 @@ class Energy final : public Postprocessor {
     summary.own({"largest_boundary_work", "J"}, work);
     summary.own("largest_relative_error", relative(worst));
   }
+  bool archive(Archive& archive) override {
+    archive("rows_of_loading", rows_of_loading_);
+    return true;
+  }
 
  private:
   std::array<std::size_t, accounts.size()> column_{};

@@ -128,6 +128,7 @@ class FabricTensor final : public Postprocessor {
     report(after, view.dimension, "final", summary);
     summary.own("final_count", after.count);
   }
+  bool archive(Archive&) override { return true; }
 
  private:
   static Fabric initial(const SimulationView& view) {

@@ -62,6 +62,11 @@ class Gauges final : public Postprocessor {
     summary.own({"axial_gauge_length", "m"}, along_.length);
     summary.own("axial_gauge_particles", Json{{"lower", along_.low.size()}, {"upper", along_.high.size()}});
   }
+  bool archive(Archive& archive) override {
+    archive("across", across_);
+    archive("along", along_);
+    return true;
+  }
 
  private:
   /// Two groups of particles and the direction from one to the other.
@@ -69,6 +74,12 @@ class Gauges final : public Postprocessor {
     Vec3 direction = Vec3::Zero();
     std::vector<Index> low, high;
     double length = 0;  ///< at the start of loading [m]
+    void archive(Archive& archive) {
+      archive("direction", direction);
+      archive("low", low);
+      archive("high", high);
+      archive("length", length);
+    }
   };
 
   static double distance(Strided<const Vec3> x, const Gauge& g) {

@@ -136,6 +136,7 @@ class Statistics final : public Postprocessor {
       if (view.dimension == 2) break;
     }
   }
+  bool archive(Archive&) override { return true; }
 
  private:
   /// What was asked of shares is in the workflow; this is what became of it.

@@ -95,6 +95,7 @@ class Stress final : public Postprocessor {
     summary.own({"largest_mean_stress", "Pa"}, largest("mean_stress"));
     summary.own({"largest_skew_part", "Pa"}, largest("stress_skew_part"));
   }
+  bool archive(Archive&) override { return true; }
 
  private:
   /// Not symmetrised. In equilibrium equal to the sum over the boundary forces of position (x) force, over the volume:

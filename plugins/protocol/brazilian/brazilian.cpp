@@ -162,7 +162,11 @@ class Brazilian final : public Protocol {
                               : s_.displacement >= c_.max_displacement * diameter_ ? "max_displacement"
                                                                                    : "request");
   }
-  std::span<std::byte> state() override { return std::as_writable_bytes(std::span(&s_, 1)); }
+  bool archive(Archive& archive) override {
+    archive("running", s_);
+    archive("platens", platens_);
+    return true;
+  }
 
  private:
   struct Running {

@@ -188,7 +188,10 @@ class DirectTension final : public Protocol {
       if (-stress[k] > 0.5 * s_.peak) most = std::max(most, std::abs(imbalance[k]));
     summary.own("platen_imbalance_max_before_peak", most);
   }
-  std::span<std::byte> state() override { return std::as_writable_bytes(std::span(&s_, 1)); }
+  bool archive(Archive& archive) override {
+    archive("running", s_);
+    return true;
+  }
 
  private:
   struct Running {

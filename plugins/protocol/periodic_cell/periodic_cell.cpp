@@ -183,7 +183,10 @@ class PeriodicCell final : public Protocol {
     summary.own("final_axial_strain", s_.strain);
     summary.own("stopped_by", s_.failed ? "stress drop" : s_.strain >= c_.max_strain ? "max_strain" : "request");
   }
-  std::span<std::byte> state() override { return std::as_writable_bytes(std::span(&s_, 1)); }
+  bool archive(Archive& archive) override {
+    archive("running", s_);
+    return true;
+  }
 
  private:
   struct Running {
@@ -192,6 +195,25 @@ class PeriodicCell final : public Protocol {
     SmoothRamp pressure, rate;
     StressDrop drop;
     bool begun = false, looking = false, loading = false, failed = false;
+
+    void archive(Archive& archive) {
+      for (auto& [name, value] : {std::pair<const char*, Vec3*>("start", &start),
+                                  {"edges", &edges},
+                                  {"stress", &stress},
+                                  {"steady_rate", &steady_rate}})
+        archive(name, *value);
+      for (auto& [name, value] :
+           {std::pair<const char*, double*>("strain", &strain), {"peak", &peak}, {"confining_time", &confining_time}})
+        archive(name, *value);
+      for (auto& [name, value] : {std::pair<const char*, bool*>("begun", &begun),
+                                  {"looking", &looking},
+                                  {"loading", &loading},
+                                  {"failed", &failed}})
+        archive(name, *value);
+      archive("pressure", pressure);
+      archive("rate", rate);
+      archive("drop", drop);
+    }
   };
 
   static Vec3 edges(const Cell& cell) { return cell.vectors().colwise().norm().transpose(); }

@@ -155,7 +155,12 @@ class AxialTest : public Protocol {
       if (stress[k] > 0.1 * s_.peak) most = std::max(most, ratio[k]);
     summary.own("unbalanced_force_ratio_max_before_peak", most);
   }
-  std::span<std::byte> state() override { return std::as_writable_bytes(std::span(&s_, 1)); }
+  bool archive(Archive& archive) override {
+    archive("running", s_);
+    archive("platens", platens_);
+    archive("confinement", *confinement_);
+    return true;
+  }
 
  protected:
   /// The `stages` of the configuration, or those of `first` and then one to `max_strain`. Without a `seating_stress`

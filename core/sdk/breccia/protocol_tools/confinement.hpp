@@ -23,6 +23,7 @@ class Confinement {
   /// Mean normal stress on the lateral surface, in the last step [Pa].
   virtual double achieved(const LoadControl&) const { return 0; }
   virtual void finish(const SimulationView&, Summary&) {}
+  virtual void archive(Archive&) {}  ///< what changes while it runs
 };
 
 /// UserError where the specimen has no surface to be confined at.
@@ -65,6 +66,10 @@ class PressureConfinement final : public Confinement {
     summary.own("disc_area_over_lateral_surface", surface_->disc_area_ratio());
     summary.own({"confining_pressure_asked", "Pa"}, ramp_.target());
     summary.own({"confining_pressure_applied", "Pa"}, surface_->achieved());
+  }
+  void archive(Archive& archive) override {
+    archive("ramp", ramp_);
+    archive("surface", *surface_);
   }
 
  private:
@@ -123,6 +128,7 @@ class RigidConfinement final : public Confinement {
     summary.own("cell_contacts", contacts);
     if (contacts > 0) summary.own({"mean_overlap_with_cell", "m"}, force / double(contacts) / used_);
   }
+  void archive(Archive& archive) override { archive("height", height_); }
 
  private:
   std::optional<double> stiffness_;

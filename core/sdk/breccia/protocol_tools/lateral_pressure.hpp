@@ -70,6 +70,15 @@ class LateralPressure {
   double achieved() const { return surface_.area() > 0 ? applied_ / surface_.area() : 0.0; }
   double disc_area_ratio() const { return surface_.area() > 0 ? surface_.disc_area() / surface_.area() : 0.0; }
   std::size_t particles() const { return surface_.cells().size(); }
+  void archive(Archive& archive) {
+    archive("surface", surface_);
+    archive.records("forces", forces_, std::pair("particle", &Force::particle), std::pair("force", &Force::force),
+                    std::pair("moment", &Force::moment));
+    archive("steps", steps_);
+    archive("pressure", pressure_);
+    archive("applied", applied_);
+    archive("stale", stale_);
+  }
 
  private:
   static constexpr std::size_t interval = 100;

@@ -76,7 +76,13 @@ class LateralSurface {
 
   const std::vector<SurfaceCell>& cells() const { return cells_; }
   double area() const { return area_; }  ///< of the surface as last measured [m2]
-  double disc_area() const {             ///< sum of the particles' cross-sections [m2]
+  void archive(Archive& archive) {
+    archive.records("cells", cells_, std::pair("particle", &SurfaceCell::particle),
+                    std::pair("inward", &SurfaceCell::inward), std::pair("area", &SurfaceCell::area),
+                    std::pair("disc", &SurfaceCell::disc));
+    archive("area", area_);
+  }
+  double disc_area() const {  ///< sum of the particles' cross-sections [m2]
     double sum = 0;
     for (const SurfaceCell& c : cells_) sum += c.disc;
     return sum;

@@ -90,6 +90,7 @@ class Platens {
   double platens() const { return moving_ == MovingPlatens::both ? 2 : 1; }  ///< that move
   double stiffness() const { return stiffness_; }                            // [N/m]
   SmoothRamp& speed() { return speed_; }
+  void archive(Archive& archive) { archive("speed", speed_); }
 
  private:
   Vec3 axis_ = Vec3::UnitZ();

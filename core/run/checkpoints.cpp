@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/checkpoints.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "breccia/atomic_file.hpp"
+
+namespace breccia {
+namespace fs = std::filesystem;
+
+void CheckpointsConfig::describe(Schema<CheckpointsConfig>& s) {
+  s.param("every", &CheckpointsConfig::every)
+      .unit("s")
+      .above(0)
+      .fallback(600.0)
+      .example("10 min")
+      .doc(
+          "time of the clock between two checkpoints; whichever of `every`, `every_simulated`, `every_steps` comes "
+          "first");
+  s.param("every_simulated", &CheckpointsConfig::every_simulated)
+      .unit("s")
+      .above(0)
+      .example("0.1 ms")
+      .doc("simulated time between two checkpoints");
+  s.param("every_steps", &CheckpointsConfig::every_steps)
+      .at_least(1)
+      .example("10000")
+      .doc("time steps between two checkpoints");
+  s.param("keep", &CheckpointsConfig::keep)
+      .at_least(0)
+      .at_most(1000)
+      .fallback(2)
+      .doc("how many are kept, the newest ones; 0: none is written, and a run that was stopped cannot go on");
+  s.param("at_end", &CheckpointsConfig::at_end)
+      .fallback(false)
+      .doc("one more before the last step of the test; a run that is stopped on request always leaves one");
+}
+
+Checkpoints::Checkpoints(const CheckpointsConfig& config, const fs::path& folder,
+                         std::function<std::vector<std::string>(Archive&)> write, Host& host)
+    : config_(config), folder_(folder / "checkpoints"), write_(std::move(write)), host_(host) {}
+
+void Checkpoints::start_from(const RunProgress& now) {
+  from_ = now;
+  last_ = Clock::now();
+}
+
+bool Checkpoints::due(const RunProgress& now) const {
+  if (config_.every_steps && now.step - from_.step >= std::uint64_t(*config_.every_steps)) return true;
+  if (config_.every_simulated && now.time - from_.time >= *config_.every_simulated) return true;
+  return std::chrono::duration<double>(Clock::now() - last_).count() >= config_.every;
+}
+
+void Checkpoints::at(const RunProgress& now, bool stop) {
+  if (config_.keep == 0 || impossible_ || now.step == 0 || now.step == from_.step) return;
+  if (!stop && !due(now)) return;
+  try {
+    save(now);
+  } catch (const UserError& e) { host_.warn(fmt::format("no checkpoint at step {}: {}", now.step, e.what())); }
+  start_from(now);
+}
+
+void Checkpoints::save(const RunProgress& now) {
+  CheckpointWriter writer;
+  if (const auto unknown = write_(writer); !unknown.empty()) {
+    impossible_ = true;
+    host_.warn(
+        fmt::format("this run has no checkpoints and cannot go on once it is stopped: {} does not say what changes "
+                    "in it while it runs (`archive` of the plugin)",
+                    fmt::join(unknown, ", ")));
+    return;
+  }
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (error) throw CannotWrite(folder_, error.value());
+  writer.commit(folder_ / checkpoint_name(now.step));
+  const auto there = checkpoints_in(folder_);
+  for (std::size_t k = std::size_t(config_.keep); k < there.size(); ++k) fs::remove(there[k], error);
+}
+
+}  // namespace breccia
