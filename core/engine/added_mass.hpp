@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "breccia/strided.hpp"
+
 namespace breccia {
 
 struct AddedMass {
