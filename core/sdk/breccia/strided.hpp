@@ -15,6 +15,8 @@ namespace breccia {
 template <class T>
 class Strided {
   using Byte = std::conditional_t<std::is_const_v<T>, const std::byte, std::byte>;
+  template <class Range>
+  using ElementOf = std::remove_reference_t<std::ranges::range_reference_t<Range>>;
 
  public:
   using value_type = std::remove_const_t<T>;
@@ -54,10 +56,12 @@ class Strided {
   /// `size` values, the first at `first` and the next `stride` bytes behind it each.
   Strided(T* first, std::size_t size, std::size_t stride)
       : first_(reinterpret_cast<Byte*>(first)), size_(size), stride_(stride) {}
-  /// Of an array, a vector, a span.
+  /// Of an array, a vector, a span: this class is none of these, so its own copies are not meant.
+  // NOLINTBEGIN(bugprone-forwarding-reference-overload)
   template <std::ranges::contiguous_range Range>
-  requires std::is_convertible_v < std::remove_reference_t<std::ranges::range_reference_t<Range>>(*)
-  [], T (*)[] > Strided(Range&& range) : Strided(std::ranges::data(range), std::ranges::size(range), sizeof(T)) {}
+  requires(std::is_convertible_v<ElementOf<Range> (*)[], T (*)[]>) Strided(Range&& range)
+      : Strided(std::ranges::data(range), std::ranges::size(range), sizeof(T)) {}
+  // NOLINTEND(bugprone-forwarding-reference-overload)
   /// Read only, of what may be written.
   template <class U>
   requires(std::is_same_v<const U, T> && !std::is_const_v<U>) Strided(const Strided<U>& other)
