@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,46 +17,24 @@
 namespace breccia {
 
 /// Writes: call it for all there is, then `commit`.
-class CheckpointWriter final : public Archive {
+class BRECCIA_API CheckpointWriter : public Archive {
  public:
-  CheckpointWriter();
-  ~CheckpointWriter() override;
-  bool reading() const override { return false; }
+  bool reading() const final { return false; }
   /// The file appears whole, with all its bytes on the disk. CannotWrite.
-  void commit(const std::filesystem::path& file);
-
- private:
-  void write(const std::string& path, archived::Element element, const void* data, std::size_t rows,
-             std::size_t columns, std::size_t stride) override;
-  std::size_t rows(const std::string&, archived::Element, std::size_t) override { return 0; }
-  void read(const std::string&, archived::Element, void*, std::size_t, std::size_t, std::size_t) override {}
-  void open(const std::string& group) override;
-  [[noreturn]] void refuse(const std::string& path, const std::string& why) const override;
-
-  std::int64_t file_ = -1;
+  virtual void commit(const std::filesystem::path& file) = 0;
 };
 
 /// Reads, in any order.
-class CheckpointReader final : public Archive {
+class BRECCIA_API CheckpointReader : public Archive {
  public:
-  /// UserError when there is no such file, or it is damaged or of another format.
-  explicit CheckpointReader(std::filesystem::path file);
-  ~CheckpointReader() override;
-  bool reading() const override { return true; }
-  const std::filesystem::path& file() const { return path_; }
-
- private:
-  void write(const std::string&, archived::Element, const void*, std::size_t, std::size_t, std::size_t) override {}
-  std::size_t rows(const std::string& path, archived::Element element, std::size_t columns) override;
-  void read(const std::string& path, archived::Element element, void* data, std::size_t rows, std::size_t columns,
-            std::size_t stride) override;
-  void open(const std::string&) override {}
-  [[noreturn]] void refuse(const std::string& path, const std::string& why) const override;
-
-  std::filesystem::path path_;
-  std::vector<char> image_;
-  std::int64_t file_ = -1;
+  bool reading() const final { return true; }
+  virtual const std::filesystem::path& file() const = 0;
 };
+
+/// UserError where the library cannot be loaded (`breccia-core/breccia_checkpoint_hdf5.so` beside the plugins' folder).
+std::unique_ptr<CheckpointWriter> begin_checkpoint();
+/// The same, and when there is no such file, or it is damaged or of another format.
+std::unique_ptr<CheckpointReader> read_checkpoint(const std::filesystem::path& file);
 
 /// `step_000000012345.h5`, so that names sort as steps do.
 std::string checkpoint_name(std::uint64_t step);

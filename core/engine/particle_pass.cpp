@@ -77,30 +77,34 @@ BRECCIA_KERNEL void advance(Drive& d, const std::uint8_t* held, int shift, std::
   }
 }
 
-BRECCIA_VECTOR_CLONES void advance_velocities(ParticleMotion* m, const ParticleLoad* load, const std::uint8_t* held,
-                                              std::size_t n, double alpha, double dt, Losses& out) {
+/// Of n particles one kind of velocity: which member it is and what stands behind it in its record, what drives it,
+/// what resists, and where its bits of `held` are.
+template <Vec3 ParticleMotion::*velocity, double ParticleMotion::*behind, Vec3 ParticleLoad::*drive,
+          double ParticleMotion::*inertia, int shift>
+BRECCIA_KERNEL void advance_all(ParticleMotion* m, const ParticleLoad* load, const std::uint8_t* held, std::size_t n,
+                                double alpha, double dt, Losses& out) {
   Drive d;
   for (std::size_t first = 0, some; first < n; first += some) {
     some = std::min(Drive::n, n - first);
-    turn_in(m + first, &ParticleMotion::velocity, some, d.vx, d.vy, d.vz);
-    turn_in(load + first, &ParticleLoad::force, some, d.lx, d.ly, d.lz);
-    for (std::size_t k = 0; k < some; ++k) d.inertia[k] = m[first + k].mass;
-    advance(d, held + first, 0, some, alpha, dt, out.damped + first, out.held + first);
-    turn_back(m + first, &ParticleMotion::velocity, &ParticleMotion::inertia, some, d.vx, d.vy, d.vz);
+    turn_in(m + first, velocity, some, d.vx, d.vy, d.vz);
+    turn_in(load + first, drive, some, d.lx, d.ly, d.lz);
+    for (std::size_t k = 0; k < some; ++k) d.inertia[k] = m[first + k].*inertia;
+    advance(d, held + first, shift, some, alpha, dt, out.damped + first, out.held + first);
+    turn_back(m + first, velocity, behind, some, d.vx, d.vy, d.vz);
   }
+}
+
+BRECCIA_VECTOR_CLONES void advance_velocities(ParticleMotion* m, const ParticleLoad* load, const std::uint8_t* held,
+                                              std::size_t n, double alpha, double dt, Losses& out) {
+  using M = ParticleMotion;
+  advance_all<&M::velocity, &M::inertia, &ParticleLoad::force, &M::mass, 0>(m, load, held, n, alpha, dt, out);
 }
 
 BRECCIA_VECTOR_CLONES void advance_spins(ParticleMotion* m, const ParticleLoad* load, const std::uint8_t* held,
                                          std::size_t n, double alpha, double dt, Losses& out) {
-  Drive d;
-  for (std::size_t first = 0, some; first < n; first += some) {
-    some = std::min(Drive::n, n - first);
-    turn_in(m + first, &ParticleMotion::angular_velocity, some, d.vx, d.vy, d.vz);
-    turn_in(load + first, &ParticleLoad::torque, some, d.lx, d.ly, d.lz);
-    for (std::size_t k = 0; k < some; ++k) d.inertia[k] = m[first + k].inertia;
-    advance(d, held + first, 3, some, alpha, dt, out.damped + first, out.held + first);
-    turn_back(m + first, &ParticleMotion::angular_velocity, &ParticleMotion::radius, some, d.vx, d.vy, d.vz);
-  }
+  using M = ParticleMotion;
+  advance_all<&M::angular_velocity, &M::radius, &ParticleLoad::torque, &M::inertia, 3>(m, load, held, n, alpha, dt,
+                                                                                       out);
 }
 
 /// Positions by a step of `dt`; what stands behind them stays.

@@ -62,8 +62,8 @@ void Checkpoints::at(const RunProgress& now, bool stop) {
 }
 
 void Checkpoints::save(const RunProgress& now) {
-  CheckpointWriter writer;
-  if (const auto unknown = write_(writer); !unknown.empty()) {
+  const auto writer = begin_checkpoint();
+  if (const auto unknown = write_(*writer); !unknown.empty()) {
     impossible_ = true;
     host_.warn(
         fmt::format("this run has no checkpoints and cannot go on once it is stopped: {} does not say what changes "
@@ -74,7 +74,7 @@ void Checkpoints::save(const RunProgress& now) {
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) throw CannotWrite(folder_, error.value());
-  writer.commit(folder_ / checkpoint_name(now.step));
+  writer->commit(folder_ / checkpoint_name(now.step));
   const auto there = checkpoints_in(folder_);
   for (std::size_t k = std::size_t(config_.keep); k < there.size(); ++k) fs::remove(there[k], error);
 }

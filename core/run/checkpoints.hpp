@@ -39,7 +39,6 @@ class Checkpoints {
   Host& host_;
   Clock::time_point last_ = Clock::now();
   RunProgress from_;
-  std::uint64_t looked_ = 0;
   bool impossible_ = false;
 };
 

@@ -1,10 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/loading.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "run/workflow.hpp"
+
 namespace breccia {
+
+void SamplingConfig::describe(Schema<SamplingConfig>& s) {
+  s.param("every_steps", &SamplingConfig::every_steps)
+      .at_least(1)
+      .fallback(50)
+      .doc(
+          "time steps between two rows of curves.csv; has no part in the test itself, which is decided after every "
+          "step");
+  s.param("load_change", &SamplingConfig::load_change)
+      .at_least(0)
+      .at_most(1)
+      .fallback(0.02)
+      .doc(
+          "a row is added where the test's load has changed by this share of its largest since the last row, and at "
+          "its peak, so that strength and moduli do not depend on every_steps; 0: no row is added");
+}
 
 LoadingStep Loading::step(bool last) {
   const std::uint64_t step = simulation_.state().step;
@@ -32,6 +52,15 @@ LoadingStep Loading::step(bool last) {
   }
   row_ = end_ || load_calls_for_row();
   return now;
+}
+
+void Loading::warn_of_missed_peak(Host& host) const {
+  constexpr double share = 0.01;
+  if (peak_of_rows_ >= (1 - share) * peak_) return;
+  host.warn(fmt::format(
+      "the curves miss the peak: between their rows the load rose to {:.4g}, in them to {:.4g}. Strength and moduli "
+      "read off them depend on sampling.every_steps: make it smaller{}",
+      peak_, peak_of_rows_, sampling_.load_change > 0 ? "" : ", or set sampling.load_change"));
 }
 
 void Loading::archive(Archive& archive) {

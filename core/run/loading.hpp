@@ -28,9 +28,10 @@ class Loading {
   /// Forces and decision of a step. `last`: it is the last one, whatever the protocol says.
   LoadingStep step(bool last = false);
 
-  /// The protocol's largest load so far, and the largest that a row shows.
+  /// The protocol's largest load so far.
   double peak() const { return peak_; }
-  double peak_of_rows() const { return peak_of_rows_; }
+  /// Whatever is read off the curves is read off their rows: when these have missed the peak.
+  void warn_of_missed_peak(Host& host) const;
   bool ends() const { return end_; }  ///< the step to come is the last
   void archive(Archive& archive);
 

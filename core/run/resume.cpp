@@ -33,7 +33,7 @@ ResumePoint find_resume_point(const fs::path& folder, Host& host) {
     for (const fs::path& file : checkpoints_in(results / "checkpoints")) {
       ResumePoint point{results / "resolved.yaml", nullptr, {}};
       try {
-        point.checkpoint = std::make_unique<CheckpointReader>(file);
+        point.checkpoint = read_checkpoint(file);
         (*point.checkpoint)("about", point.about);
       } catch (const UserError& e) {
         host.warn(e.what());

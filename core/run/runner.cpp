@@ -29,6 +29,7 @@
 #include "run/packing_cache.hpp"
 #include "run/provenance.hpp"
 #include "run/render.hpp"
+#include "run/run_summary.hpp"
 #include "run/scatter_summary.hpp"
 #include "run/warning_log.hpp"
 
@@ -88,7 +89,9 @@ class Run {
   void build() {
     const int dimension = int(w_.dimension);
     packing_ = obtain_packing(registry_, w_.packing, w_.packing_request(), options_.packing_cache, monitor_);
-    report_packing();
+    monitor_.info(fmt::format("packing `{}`: {} particles{}", w_.packing.type, packing_.particles.position.size(),
+                              packing_.from_cache ? " (kept from an earlier run)" : ""));
+    for (const AskedGot& line : packing_.particles.report) monitor_.info(asked_got_text(line));
     if (options_.resume)
       refuse_changes(options_.resume->about, provenance_of(w_, registry_, packing_.hash),
                      options_.accept_changed_plugins, monitor_);
@@ -126,16 +129,6 @@ class Run {
     curves_.open(options_.folder / "curves.csv");
   }
 
-  void report_packing() {
-    monitor_.info(fmt::format("packing `{}`: {} particles{}", w_.packing.type, packing_.particles.position.size(),
-                              packing_.from_cache ? " (kept from an earlier run)" : ""));
-    for (const AskedGot& line : packing_.particles.report) {
-      const std::string unit = line.unit == "1" ? "" : " " + line.unit;
-      monitor_.info(fmt::format("  {:<36} {:>14}   got {:.6g}{}", line.name,
-                                line.asked ? fmt::format("asked {:.6g}", *line.asked) : "", line.got, unit));
-    }
-  }
-
   /// The full input, and what made the result: running it again gives the same bits.
   void write_resolved() {
     const Json provenance = provenance_of(w_, registry_, packing_.hash);
@@ -154,24 +147,19 @@ class Run {
   void loop() {
     Simulation& sim = *simulation_;
     report_added_mass();
-    const bool spectral = w_.engine.time_step == TimeStep::spectral;
-    monitor_.info(fmt::format(
-        "time step {:.4g} s ({:.3g} of the critical, {}), {} pairs, {} thread{}", sim.time_step(),
-        sim.time_step() / sim.critical_step(),
-        spectral ? fmt::format("of the fastest mode: {:.2f} times the bound of single particles", sim.step_over_bound())
-                 : "the bound of single particles",
-        sim.state().pairs.size(), monitor_.threads(), monitor_.threads() == 1 ? "" : "s"));
+    monitor_.info(step_text(sim, w_.engine.time_step, monitor_.threads()));
     Loading& loading = loading_.emplace(sim, *laws_, *protocol_, protocol_id(),
                                         Sampling{std::uint64_t(w_.sampling.every_steps), w_.sampling.load_change});
     Checkpoints checkpoints(
         w_.checkpoints, options_.folder, [&](Archive& to) { return archive(to); }, monitor_);
     if (options_.resume) go_on();
-    checkpoints.start_from({sim.time(), sim.state().step});
+    first_step_ = sim.state().step;
+    checkpoints.start_from({sim.time(), first_step_});
     try {
       for (;;) {
-        auto start = Clock::now();
         const bool cancelled = monitor_.cancelled();
         checkpoints.at({sim.time(), sim.state().step}, cancelled || (w_.checkpoints.at_end && loading.ends()));
+        auto start = Clock::now();
         in_row_ = false;
         const LoadingStep now = loading.step(cancelled);
         loop_seconds_ += seconds_since(start);
@@ -187,7 +175,7 @@ class Run {
         laws_->within([&] { sim.advance(); });
         loop_seconds_ += seconds_since(start);
       }
-      warn_of_missed_peak(loading);
+      loading.warn_of_missed_peak(monitor_);
       loading_checks_->finish(sim, loading.peak(), monitor_);
     } catch (const PluginFault& e) { fail(e); }
     viewable_ = complete_step();
@@ -290,16 +278,6 @@ class Run {
     });
   }
 
-  /// Whatever is read off the curves is read off their rows.
-  void warn_of_missed_peak(const Loading& loading) {
-    constexpr double share = 0.01;
-    if (loading.peak_of_rows() >= (1 - share) * loading.peak()) return;
-    monitor_.warn(fmt::format(
-        "the curves miss the peak: between their rows the load rose to {:.4g}, in them to {:.4g}. Strength and moduli "
-        "read off them depend on sampling.every_steps: make it smaller{}",
-        loading.peak(), loading.peak_of_rows(), w_.sampling.load_change > 0 ? "" : ", or set sampling.load_change"));
-  }
-
   EnergyLimits energy_limits() {
     constexpr double strain = strain_of_touch;
     const SpecimenShape& specimen = simulation_->state().specimen;
@@ -308,34 +286,8 @@ class Run {
   }
 
   void finish() {
-    const Simulation& sim = *simulation_;
-    const State& state = sim.state();
-    const std::size_t n = state.particles.size(), bonds = state.bonds.size();
-    summary_.set("workflow", w_.name);
-    summary_.set("interrupted", interrupted_);
-    summary_.set("seed", w_.seed);
-    summary_.set("threads", monitor_.threads());
-    summary_.set("steps", state.step);
-    summary_.set({"time_step", "s"}, state.time_step);
-    summary_.set("time_step_from", w_.engine.time_step == TimeStep::spectral ? "spectral" : "bound");
-    summary_.set({"critical_time_step", "s"}, sim.critical_step());
-    summary_.set("time_step_over_bound", sim.step_over_bound());
-    if (w_.engine.time_step == TimeStep::spectral) summary_.set("time_step_products", sim.mode_products());
-    if (w_.engine.added_mass > 0) {
-      summary_.set("added_mass_share", sim.added_mass().share);
-      summary_.set("added_mass_particles", sim.added_mass().particles);
-      summary_.set("added_mass_largest_factor", sim.added_mass().largest_factor);
-    }
-    summary_.set({"simulated_time", "s"}, state.time);
-    summary_.set("particles", n);
-    summary_.set("bonds", bonds);
-    summary_.set("porosity", packing_porosity());
-    summary_.set("coordination_number", bonding_.coordination_number);
-    summary_.set(bonding_.measure == GapMeasure::relative ? ResultName("bond_tolerance") : ResultName("bond_gap", "m"),
-                 bonding_.limit);
-    summary_.set("ns_per_bond_step",
-                 state.step && bonds ? Json(1e9 * loop_seconds_ / double(state.step) / double(bonds)) : Json());
-    summary_.set("neighbour_list_rebuilds", sim.rebuilds());
+    sum_up_engine(summary_, w_, *simulation_, bonding_, packing_porosity(),
+                  {interrupted_, monitor_.threads(), first_step_, loop_seconds_});
     attempt([&] { sum_up_laws(); });
     if (viewable_) finish_plugins(simulation_->view());
     for (const AskedGot& line : packing_.particles.report) {
@@ -425,6 +377,7 @@ class Run {
   CheckpointAbout about_;
   std::size_t time_column_ = 0;
   double loop_seconds_ = 0;
+  std::uint64_t first_step_ = 0;  ///< of this process: 0 unless the run went on
   bool interrupted_ = false;
   bool in_row_ = false, viewable_ = true;  ///< the present step is a row; there is a state to be viewed
   std::string failure_;

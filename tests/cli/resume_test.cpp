@@ -39,20 +39,12 @@ material: {density: 2650 kg/m3}
 bonding: {tolerance: 0.15}
 damping: {translational: 0.5, rotational: 0.5}
 )";
-constexpr const char* discs = R"(dimension: 2
-thickness: 10 mm
-packing: {type: tangent_discs, container: {shape: box, size: [12 mm, 18 mm]}, radius_min: 0.5 mm, radius_max: 0.9 mm}
-material: {density: 2650 kg/m3}
-bonding: {tolerance: 0.001}
-damping: {translational: 0.3, rotational: 0.3}
-)";
-constexpr const char* disc = R"(dimension: 2
-thickness: 10 mm
-packing: {type: tangent_discs, container: {shape: sphere, diameter: 14 mm}, radius_min: 0.5 mm, radius_max: 0.9 mm}
-material: {density: 2650 kg/m3}
-bonding: {tolerance: 0.001}
-damping: {translational: 0.3, rotational: 0.3}
-)";
+std::string discs_in(const std::string& container) {
+  return "dimension: 2\nthickness: 10 mm\npacking: {type: tangent_discs, container: " + container +
+         ", radius_min: 0.5 mm, radius_max: 0.9 mm}\n"
+         "material: {density: 2650 kg/m3}\nbonding: {tolerance: 0.001}\n"
+         "damping: {translational: 0.3, rotational: 0.3}\n";
+}
 constexpr const char* brittle = R"(contact_law: {type: elastic_brittle, bond_modulus: 10 GPa, stiffness_ratio: 3.7,
   tensile_strength: {mean: 4 MPa, distribution: weibull, modulus: 6}, shear_strength: 4 MPa, friction: 0.5}
 )";
@@ -92,6 +84,8 @@ std::vector<Case> cases() {
                                     "postprocessors: [{type: stress}, {type: energy}, {type: damage}, "
                                     "{type: contact_stress}]\n") +
                                 outside;
+  const std::string discs = discs_in("{shape: box, size: [12 mm, 18 mm]}"),
+                    disc = discs_in("{shape: sphere, diameter: 14 mm}");
   return {
       {"uniaxial_compression",
        std::string(spheres) + brittle +
@@ -116,13 +110,13 @@ std::vector<Case> cases() {
                                           "max_strain: 1 %}\n" +
                                           end},
       {"biaxial_compression",
-       std::string(discs) + moments +
+       discs + moments +
            "protocol: {type: biaxial_compression, confining_pressure: 1 MPa, platen_velocity: 1 m/s, "
            "max_strain: 0.2 %}\n" +
            end},
-      {"brazilian", std::string(disc) + brittle +
-                        "protocol: {type: brazilian, platen_velocity: 0.5 m/s, max_displacement: 0.2 %}\n" + no_strain},
-      {"direct_tension", std::string(discs) + moments +
+      {"brazilian",
+       disc + brittle + "protocol: {type: brazilian, platen_velocity: 0.5 m/s, max_displacement: 0.2 %}\n" + no_strain},
+      {"direct_tension", discs + moments +
                              "protocol: {type: direct_tension, plate_velocity: 0.5 m/s, ramp_time: 5 us, grip: 2 mm, "
                              "max_strain: 0.2 %}\n" +
                              no_strain},

@@ -116,7 +116,8 @@ class BRECCIA_API Archive {
       const Group group(*this, name);
       std::uint8_t there = value.has_value();
       (*this)("there", there);
-      if (reading()) there ? void(value.emplace()) : value.reset();
+      if (!there) value.reset();
+      else if (!value) value.emplace();  // else it keeps what is not in the archive
       if (there) (*this)("value", *value);
     } else {
       static_assert(std::is_trivially_copyable_v<T>,
