@@ -2,6 +2,7 @@
 // A run that goes on from a checkpoint ends in the bits of one that was never stopped: for every plugin that is
 // shipped, with other threads than before.
 #include <algorithm>
+#include <csignal>
 #include <map>
 #include <set>
 
@@ -203,6 +204,40 @@ TEST(ResumeCases, HaveEveryPluginThatRuns) {
 }
 
 class SweepResume : public SweepProgram {};
+class StoppedBySignal : public SweepProgram {};
+
+TEST_F(StoppedBySignal, LeavesACheckpointAndGoesOn) {
+  const std::string column = BRECCIA_SOURCE_DIR "/tests/torture/column.yaml";
+  const std::vector<std::string> slowly = {"--set", "protocol.platen_velocity=0.3m/s", "--set",
+                                           "checkpoints.every_steps=1000000"};
+  const auto with = [&](const std::string& output) {
+    std::vector<std::string> all = {"run", column, "--threads", "1", "--output", output};
+    all.insert(all.end(), slowly.begin(), slowly.end());
+    return all;
+  };
+  std::string words;
+  for (const std::string& word : with("whole")) words += word + " ";
+  const Result whole = call(words);
+  ASSERT_EQ(whole.code, 0) << whole.text;
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+    const std::string run = "stopped_" + std::to_string(signal);
+    const pid_t child = start(with(run));
+    const fs::path growing = folder_ / run / "unfinished";
+    EXPECT_TRUE(within_a_minute([&] { return fs::exists(growing / "particles_000002.vtp"); }));
+    kill(child, signal);
+    int status = 0;
+    waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFEXITED(status));
+    ASSERT_EQ(WEXITSTATUS(status), 130) << "stopped before its end";
+    EXPECT_TRUE(Json::parse(content(folder_ / run / "summary.json"))["interrupted"].get<bool>());
+    const Result r = call("run --resume " + run + " --threads 2");
+    ASSERT_EQ(r.code, 0) << r.text;
+    EXPECT_TRUE(has(r.text, "goes on from")) << r.text;
+    const auto a = testing::results(folder_ / "whole"), b = testing::results(folder_ / run);
+    for (const auto& [name, text] : a) EXPECT_TRUE(b.contains(name) && b.at(name) == text) << run << ": " << name;
+    EXPECT_EQ(a.size(), b.size());
+  }
+}
 
 TEST_F(SweepResume, ACaseGoesOnFromItsCheckpoint) {
   write("study.yaml",
