@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 #include <fstream>
 #include <span>
@@ -21,9 +22,11 @@ namespace {
 
 constexpr std::size_t header_size = 512;  // where HDF5 looks for its beginning next, after the very start
 constexpr const char* mark = "breccia checkpoint 1";
-// For the library: names that no file has, and not the same one, since it knows open files by their names.
-constexpr const char *name_written = "/dev/null/breccia checkpoint, written",
-                     *name_read = "/dev/null/breccia checkpoint, read";
+/// For the library, which takes two open files of one name for the same: a name that no file has, and no other one here.
+std::string name_in_memory() {
+  static std::atomic<std::uint64_t> last{0};
+  return "/dev/null/breccia checkpoint " + std::to_string(++last);
+}
 
 struct Type {
   hid_t memory, file;
@@ -123,7 +126,7 @@ Writer::Writer() {
   constexpr std::size_t grow = std::size_t(1) << 22;
   // In the oldest format, the library's default: later ones have a checksum over a byte that H5Fget_file_image changes.
   if (H5Pset_fapl_core(access, grow, false) < 0 ||
-      (file_ = H5Fcreate(name_written, H5F_ACC_TRUNC, H5P_DEFAULT, access)) < 0)
+      (file_ = H5Fcreate(name_in_memory().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)) < 0)
     throw UserError("no checkpoint can be made: HDF5 refuses a file in memory");
 }
 
@@ -220,7 +223,7 @@ Reader::Reader(fs::path file) : path_(std::move(file)) {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   if (H5Pset_fapl_core(access, std::size_t(1) << 22, false) < 0 ||
       H5Pset_file_image(access, image.data(), image.size()) < 0 ||
-      (file_ = H5Fopen(name_read, H5F_ACC_RDONLY, access)) < 0)
+      (file_ = H5Fopen(name_in_memory().c_str(), H5F_ACC_RDONLY, access)) < 0)
     throw damaged("HDF5 cannot open it");
   image = {};  // the library has a copy
 }

@@ -67,9 +67,12 @@ int dispatch(int argc, char** argv) {
                                   "a folder of results: goes on from its newest checkpoint, with the workflow that "
                                   "stands there, to the same results as if the run had not been stopped")
                      ->excludes(run_file);
+  verb->add_option("--from", run.from,
+                   "a checkpoint of another run, or the folder of its results: begins where that run stood, as `from` "
+                   "of a workflow does")
+      ->excludes(resume);
   verb->add_flag("--accept-changed-plugins", run.accept_changed_plugins,
-                 "go on although a plugin or a file that was read is another one than at the beginning")
-      ->needs(resume);
+                 "go on although a plugin or a file that was read is another one than at the beginning");
   verb->add_option("--output", run.output, "folder of the results; default: results/<workflow name>")->excludes(resume);
   verb->add_flag("--overwrite", run.overwrite, "replace the results of an earlier run in that folder");
   verb->add_option("--threads", run.threads, "threads; default: all cores. The results do not depend on it")

@@ -19,7 +19,10 @@ int run(const RunArguments& a) {
   for (const std::string& w : registry.warnings()) console.warn(w);
   std::optional<ResumePoint> resume;
   if (!a.resume.empty()) resume = find_resume_point(a.resume, console);
-  const LoadedWorkflow loaded = load_workflow(resume ? resume->resolved : a.file, a.overrides, registry, a.variant);
+  std::vector<std::string> overrides = a.overrides;
+  if (!a.from.empty())
+    overrides.push_back("from.checkpoint=" + Json(std::filesystem::absolute(a.from).string()).dump());
+  const LoadedWorkflow loaded = load_workflow(resume ? resume->resolved : a.file, overrides, registry, a.variant);
   const std::filesystem::path folder = resume             ? a.resume
                                        : a.output.empty() ? std::filesystem::path("results") / loaded.workflow.name
                                                           : a.output;

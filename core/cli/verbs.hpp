@@ -11,7 +11,7 @@ namespace breccia::cli {
 constexpr int ok = 0, failure = 1, bad_input = 2, interrupted = 130;
 
 struct RunArguments {
-  std::filesystem::path file, output, resume;
+  std::filesystem::path file, output, resume, from;
   std::vector<std::string> overrides;
   std::string variant;
   int threads = 0;  ///< 0: as many as the machine has

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 #include "breccia/atomic_file.hpp"
 
 namespace breccia {
@@ -16,13 +18,17 @@ void CheckpointsConfig::describe(Schema<CheckpointsConfig>& s) {
       .fallback(600.0)
       .example("10 min")
       .doc(
-          "time of the clock between two checkpoints; whichever of `every`, `every_simulated`, `every_steps` comes "
-          "first");
+          "time of the clock between two checkpoints; whichever of `every`, `every_simulated`, `every_strain`, "
+          "`every_steps` comes first");
   s.param("every_simulated", &CheckpointsConfig::every_simulated)
       .unit("s")
       .above(0)
       .example("0.1 ms")
       .doc("simulated time between two checkpoints");
+  s.param("every_strain", &CheckpointsConfig::every_strain)
+      .above(0)
+      .example("0.1 %")
+      .doc("axial strain between two checkpoints, as the rows of the curves give it");
   s.param("every_steps", &CheckpointsConfig::every_steps)
       .at_least(1)
       .example("10000")
@@ -48,6 +54,7 @@ void Checkpoints::start_from(const RunProgress& now) {
 
 bool Checkpoints::due(const RunProgress& now) const {
   if (config_.every_steps && now.step - from_.step >= std::uint64_t(*config_.every_steps)) return true;
+  if (config_.every_strain && std::abs(now.strain - from_.strain) >= *config_.every_strain) return true;
   if (config_.every_simulated && now.time - from_.time >= *config_.every_simulated) return true;
   return std::chrono::duration<double>(Clock::now() - last_).count() >= config_.every;
 }

@@ -14,6 +14,7 @@ namespace breccia {
 struct RunProgress {
   double time = 0;  ///< simulated [s]
   std::uint64_t step = 0;
+  double strain = 0;  ///< axial, of the last row of the curves
 };
 
 class Checkpoints {

@@ -18,6 +18,7 @@
 #include "engine/specimen.hpp"
 #include "output/curve_table.hpp"
 #include "output/summary_table.hpp"
+#include "run/branch.hpp"
 #include "run/checkpoints.hpp"
 #include "run/checks.hpp"
 #include "run/columns.hpp"
@@ -65,7 +66,7 @@ class Run {
       create_plugins();
       build();
     });
-    write_resolved();
+    write_file(options_.folder / "resolved.yaml", about_.resolved);
     loop();
     finish();
     write_summary(seconds_since(start));  // whole before the pictures, which may take long or be interrupted
@@ -95,17 +96,15 @@ class Run {
     if (options_.resume)
       refuse_changes(options_.resume->about, provenance_of(w_, registry_, packing_.hash),
                      options_.accept_changed_plugins, monitor_);
-    EngineSettings settings;
-    settings.damping = {w_.damping.translational, w_.damping.rotational};
-    settings.time_step = w_.engine.time_step;
-    settings.safety = w_.engine.time_step_safety;
-    settings.added_mass = w_.engine.added_mass;
-    settings.skin = w_.engine.skin;
-    settings.threads = monitor_.threads();
+    resolve();
+    if (w_.from)
+      branch_.emplace(Beginner{w_, places_, about_.resolved, config_["provenance"], packing_.particles, registry_,
+                               options_.accept_changed_plugins},
+                      monitor_);
     laws_->within([&] {
       simulation_ = std::make_unique<Simulation>(
           assemble(packing_.particles, w_.materials_of(packing_.particles), dimension, w_.thickness),
-          laws_->interactions(), settings);
+          laws_->interactions(), w_.engine_settings(monitor_.threads()));
       bonding_ = simulation_->bond(w_.bonding.rule());
     });
     const bool relative = bonding_.measure == GapMeasure::relative;
@@ -118,19 +117,23 @@ class Run {
       for (const DrawnParameter& drawn : drawn_.back()) monitor_.info("  " + drawn.text());
     }
     check_specimen(view, packing_porosity(), w_.checks, monitor_);
-    laws_->within(
-        [&] { time_column_ = add_columns(view, *simulation_, *protocol_, protocol_id(), posts_, curves_, monitor_); });
+    if (branch_ && !branch_->goes_on()) begin_on_specimen();
+    laws_->within([&] {
+      time_column_ =
+          add_columns(simulation_->view(), *simulation_, *protocol_, protocol_id(), posts_, curves_, monitor_);
+    });
     frames_->begin(options_.folder, monitor_);
     laws_->within([&] {
       simulation_->prepare();
       check_time_step(*simulation_, w_.checks, monitor_);
     });
+    find_strain();
     loading_checks_.emplace(w_.checks);
     curves_.open(options_.folder / "curves.csv");
   }
 
   /// The full input, and what made the result: running it again gives the same bits.
-  void write_resolved() {
+  void resolve() {
     const Json provenance = provenance_of(w_, registry_, packing_.hash);
     if (!options_.resume)
       for (const std::string& change : changes_since(w_.provenance, provenance)) monitor_.warn(change);
@@ -141,7 +144,25 @@ class Run {
               "# The full input of this run, defaults included; run it again for the same result.\n" +
                   write_yaml(config_, workflow_schema(), registry_),
               provenance.dump(-1, ' ', false, Json::error_handler_t::replace), BRECCIA_SDK_ABI};
-    write_file(options_.folder / "resolved.yaml", about_.resolved);
+  }
+
+  void begin_on_specimen() {
+    monitor_.info(branch_->text());
+    const Archive::Group engine(branch_->archive(), "engine");
+    laws_->within([&] { simulation_->take_specimen(branch_->archive()); });
+  }
+
+  void find_strain() {
+    for (const char* name : {"axial_strain", "platen_strain"})
+      for (std::size_t c = 0; !strain_name_ && c < curves_.columns().size(); ++c)
+        if (curves_.columns()[c].name == name) strain_name_ = name;
+    if (w_.checkpoints.every_strain && !strain_name_)
+      throw AtPath("checkpoints.every_strain",
+                   "checkpoints.every_strain: this workflow has no curve `axial_strain` or `platen_strain`");
+  }
+  RunProgress progress() const {
+    const bool known = w_.checkpoints.every_strain && curves_.rows() > 0;
+    return {simulation_->time(), simulation_->state().step, known ? curves_.column(*strain_name_).back() : 0};
   }
 
   void loop() {
@@ -153,12 +174,14 @@ class Run {
     Checkpoints checkpoints(
         w_.checkpoints, options_.folder, [&](Archive& to) { return archive(to); }, monitor_);
     if (options_.resume) go_on();
+    else if (branch_) enter_branch();
+    branch_.reset();  // with the file
     first_step_ = sim.state().step;
-    checkpoints.start_from({sim.time(), first_step_});
+    checkpoints.start_from(progress());
     try {
       for (;;) {
         const bool cancelled = monitor_.cancelled();
-        checkpoints.at({sim.time(), sim.state().step}, cancelled || (w_.checkpoints.at_end && loading.ends()));
+        checkpoints.at(progress(), cancelled || (w_.checkpoints.at_end && loading.ends()));
         auto start = Clock::now();
         in_row_ = false;
         const LoadingStep now = loading.step(cancelled);
@@ -189,6 +212,13 @@ class Run {
     std::vector<std::string> unknown;
     if (!to.reading()) to("about", about_);
     if (!to.reading()) to("warnings", monitor_);
+    archive_test(to, unknown);
+    archive_measured(to, unknown);
+    frames_->archive(to, unknown);
+    return unknown;
+  }
+
+  void archive_test(Archive& to, std::vector<std::string>& unknown) {
     to("engine", *simulation_);
     to("loading", *loading_);
     {
@@ -197,6 +227,10 @@ class Run {
         if (!protocol_->archive(to)) unknown.push_back("protocol `" + w_.protocol.type + "`");
       });
     }
+    to("loading_checks", *loading_checks_);
+  }
+
+  void archive_measured(Archive& to, std::vector<std::string>& unknown) {
     {
       const Archive::Group posts(to, "postprocessors");
       for (auto& p : posts_) {
@@ -204,11 +238,31 @@ class Run {
         p.archive(to, unknown);
       }
     }
-    frames_->archive(to, unknown);
     to("curves", curves_);
     to("energy_check", energy_check_);
-    to("loading_checks", *loading_checks_);
-    return unknown;
+  }
+
+  void enter_branch() {
+    if (branch_->goes_on()) monitor_.info(branch_->text());
+    for (const std::string& d : branch_->differences()) monitor_.info("  " + d);
+    if (!branch_->goes_on()) return;
+    std::vector<std::string> unknown;
+    const std::size_t walls = simulation_->state().walls.size();
+    archive_test(branch_->archive(), unknown);
+    if (branch_->measured()) {
+      archive_measured(branch_->archive(), unknown);
+      branch_->archive()("warnings", monitor_);  // of what is measured they are a part
+    }
+    if (!unknown.empty())
+      throw UserError("the checkpoint cannot be used: " + unknown.front() + " does not say what changes in it");
+    if (const std::size_t there = simulation_->state().walls.size(); there != walls)
+      throw UserError(places_.with_place(
+          "protocol", fmt::format("protocol: with these values the test has {} walls, that of the checkpoint {}: it "
+                                  "cannot go on; from.protocol: new begins one of its own",
+                                  walls, there)));
+    if (!branch_->needs_adapting()) return;
+    laws_->within([&] { simulation_->adapt(); });
+    monitor_.info(step_text(*simulation_, w_.engine.time_step, monitor_.threads()));
   }
 
   void go_on() {
@@ -375,6 +429,8 @@ class Run {
   std::optional<LoadingChecks> loading_checks_;
   std::optional<Loading> loading_;
   CheckpointAbout about_;
+  std::optional<Branch> branch_;
+  std::optional<std::string> strain_name_;  ///< of the curve
   std::size_t time_column_ = 0;
   double loop_seconds_ = 0;
   std::uint64_t first_step_ = 0;  ///< of this process: 0 unless the run went on
