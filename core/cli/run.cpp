@@ -45,14 +45,16 @@ int run(const RunArguments& a) {
       results.take_over(!stopped);
       return results.path();
     };
-    const RunOptions options{results.work(), default_cache_folder(), whole, resume ? &*resume : nullptr,
-                             a.accept_changed_plugins, [&] { results.refuse_if_gone(); }};
+    const RunOptions options{
+        results.work(),           default_cache_folder(),           whole, resume ? &*resume : nullptr,
+        a.accept_changed_plugins, [&] { results.refuse_if_gone(); }};
     const RunOutcome outcome = run_workflow(loaded, registry, options, console);
     try {
       if (!apart) results.take_over(outcome.failure.empty() && !outcome.summary["interrupted"].get<bool>());
     } catch (const FolderGone&) { throw; } catch (const UserError& e) {  // all else is there since `whole`
-      console.warn(std::string("the results are whole, but their pictures are not there (`breccia render` draws them): ") +
-                   e.what());
+      console.warn(
+          std::string("the results are whole, but their pictures are not there (`breccia render` draws them): ") +
+          e.what());
     }
     console.clear_bar();
     print_results(outcome.summary);

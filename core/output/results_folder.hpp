@@ -72,8 +72,8 @@ class ResultsFolder {
   /// brought before (pictures). `finished`: these are to survive until others have finished, too. UserError, with all
   /// left as it was, if a file of the user's would be replaced.
   void take_over(bool finished);
-  /// FolderGone if `work` was removed or renamed since: what is written there by its name is lost, or lands in the results
-  /// of another run. Costs two calls of the system.
+  /// FolderGone if `work` was removed or renamed since: what is written there by its name is lost, or lands in the
+  /// results of another run. Costs two calls of the system.
   void refuse_if_gone() const;
   /// What is in `work` stays there, even if no curves were begun.
   void keep_work() { keep_ = true; }

@@ -74,9 +74,10 @@ std::terminate_handler before = nullptr;
   } catch (const std::bad_alloc&) {
     static char text[512];
     write_text(text, sizeof text);
-    for (const char* part : {"breccia: ", static_cast<const char*>(text),
-                             "; it came where nothing could be brought to an order. What the run had written stays in its "
-                             "folder: `breccia run --resume FOLDER` goes on from the newest checkpoint there\n"})
+    for (const char* part :
+         {"breccia: ", static_cast<const char*>(text),
+          "; it came where nothing could be brought to an order. What the run had written stays in its "
+          "folder: `breccia run --resume FOLDER` goes on from the newest checkpoint there\n"})
       (void)!write(STDERR_FILENO, part, __builtin_strlen(part));
     _exit(1);
   } catch (...) {}

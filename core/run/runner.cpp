@@ -408,10 +408,12 @@ class Run {
 
   /// What came after the results were whole. They are so without it.
   void add_to_summary(double wall_seconds) {
+    refuse_if_gone();
     try {
       write_summary(wall_seconds);
-    } catch (const CannotWrite& e) {
-      monitor_.warn(fmt::format("the results are whole, but their summary does not have the last warnings: {}", e.what()));
+    } catch (const UserError& e) {
+      monitor_.warn(
+          fmt::format("the results are whole, but their summary does not have the last warnings: {}", e.what()));
     }
   }
 

@@ -14,6 +14,8 @@ std::string what_is_kept(const fs::path& place, const fs::path& folder) {
   for (const char* name : {"curves.csv", "curves.csv.partial"})
     if (const auto size = fs::file_size(place / name, none); text.empty() && !none && size > 0)
       text = "what was measured until then is in " + (place / name).string();
+  const bool begun = fs::exists(place / "curves.csv.partial", none);
+  if (text.empty() && begun) text = "nothing of what was measured could be written";
   const auto checkpoints = checkpoints_in(place / "checkpoints");
   if (checkpoints.empty()) return text.empty() ? text : text + "; there is no checkpoint to go on from";
   std::string step = checkpoints.front().stem().string().substr(std::string("step_").size());
