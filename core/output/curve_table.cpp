@@ -55,8 +55,13 @@ void CurveTable::end_row() {
     values_[c].push_back(current_[c]);
     current_[c] = std::numeric_limits<double>::quiet_NaN();
   }
-  write_row(rows_);
-  if (++rows_ % 20 == 0) file_->flush();
+  try {
+    write_row(rows_);
+    if (++rows_ % 20 == 0) file_->flush();
+  } catch (...) {
+    failed_ = std::current_exception();
+    throw;
+  }
 }
 
 void CurveTable::write_row(std::size_t row) {
@@ -87,7 +92,9 @@ void CurveTable::archive(Archive& archive) {
   file_->flush();
 }
 
+/// A row that was written in part is not to be followed by others.
 void CurveTable::close() {
+  if (failed_) std::rethrow_exception(failed_);
   file_->commit();
   file_.reset();
 }
