@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Packing `from_file`, as a run uses it: reads a table (or, built with FUZZ_VTP, a file of VTK) and checks its spheres.
+/// Packing `from_file`, as a run uses it: reads a table (or, built with FUZZ_VTP, a file of VTK) and checks its
+/// spheres.
+#include "breccia/packing.hpp"
+
 #include <cmath>
 
-#include "breccia/packing.hpp"
 #include "fuzz.hpp"
 
-#ifdef FUZZ_VTP  // with the plugin's sources, since the plugin of this build may be one without VTK
+#ifdef FUZZ_VTP
+#include <vtkLogger.h>
+
+// With the plugin's sources, since the plugin of this build may be one without VTK.
 extern "C" const BrecciaPluginDescriptor breccia_plugin;
 #else
 #include "plugin/registry.hpp"
@@ -17,7 +22,10 @@ namespace {
 #ifdef FUZZ_VTP
 constexpr const char* file = "packing.vtp";
 std::unique_ptr<Packing> made(const Json& config) {
-  static const auto factory = breccia_plugin.factory();
+  static const auto factory = [] {
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+    return breccia_plugin.factory();
+  }();
   std::unique_ptr<Plugin> plugin = factory->create(config);
   return std::unique_ptr<Packing>(dynamic_cast<Packing*>(plugin.release()));
 }

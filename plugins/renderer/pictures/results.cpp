@@ -99,25 +99,11 @@ RunResults find_results(const fs::path& source) {
 }
 
 vtkSmartPointer<vtkPolyData> read_frame(const fs::path& file) {
-  // Whatever VTK dislikes ends here; without observers it would print.
-  bool bad = false;
-  vtkNew<vtkCallbackCommand> note;
-  note->SetClientData(&bad);
-  note->SetCallback([](vtkObject*, unsigned long, void* client, void*) { *static_cast<bool*>(client) = true; });
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->AddObserver(vtkCommand::ErrorEvent, note);
-  reader->SetParserErrorObserver(note);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, note);
-  if (reader->CanReadFile(file.c_str())) {
-    reader->SetFileName(file.c_str());
-    reader->Update();
-  } else {
-    bad = true;
-  }
-  if (bad || reader->GetErrorCode() != 0)
+  const auto frame = vtk::read_vtp(file);
+  if (!frame)
     throw UserError("renderer pictures: cannot read " + file.string() +
                     ": it is missing, damaged, or no VTK poly data");
-  return reader->GetOutput();
+  return frame;
 }
 
 FrameFacts facts_of(vtkPolyData* frame) {
