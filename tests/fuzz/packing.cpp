@@ -42,7 +42,7 @@ void read(std::size_t way) {
   PackingRequest request{{way == 1 ? 2 : 3, 1.0}, 1};
   Json config = {{"file", file}, {"outline", "box"}};
 #ifndef FUZZ_VTP
-  config["length_unit"] = way == 1 ? "in" : "mm";
+  config["length_unit"] = way == 1 ? "m" : "mm";
 #endif
   if (way == 2) {
     config["period"] = {0.01, 0.0, 0.02};

@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "results.hpp"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationStringKey.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkStringArray.h>
 #include <vtkXMLDataElement.h>
-#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUtilities.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "../../shared/checked_vtp_reader.hpp"
 #include "breccia/error.hpp"
 #include "curves_file.hpp"
 
