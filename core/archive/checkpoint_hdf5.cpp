@@ -68,7 +68,11 @@ class Handle {
   herr_t (*close_)(hid_t);
 };
 
-void be_silent() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+/// Whatever it could not close, for want of memory, it would stumble over when the program ends.
+void be_silent() {
+  H5dont_atexit();  // only before its first other call
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 std::string header_of(const std::string& digest) {
   std::string text = std::string(mark) + "\nsha256 " + digest + "\n";
@@ -101,6 +105,7 @@ class Writer final : public CheckpointWriter {
   [[noreturn]] void refuse(const std::string& path, const std::string& why) const override;
 
   hid_t file_ = -1;
+  static inline bool has_failed = false;  ///< what it then leaves of a file cannot be closed: not to be gone on with
 };
 
 class Reader final : public CheckpointReader {
@@ -122,13 +127,14 @@ class Reader final : public CheckpointReader {
 };
 
 Writer::Writer() {
+  if (has_failed) throw UserError("no checkpoint can be made: HDF5 has failed at one before");
   be_silent();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   constexpr std::size_t grow = std::size_t(1) << 22;
   // In the oldest format, the library's default: later ones have a checksum over a byte that H5Fget_file_image changes.
   if (H5Pset_fapl_core(access, grow, false) < 0 ||
       (file_ = H5Fcreate(name_in_memory().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)) < 0)
-    throw UserError("no checkpoint can be made: HDF5 refuses a file in memory");
+    throw UserError("no checkpoint can be made: HDF5 refuses a file in memory: is there memory enough?");
 }
 
 Writer::~Writer() {
@@ -136,6 +142,7 @@ Writer::~Writer() {
 }
 
 void Writer::refuse(const std::string& path, const std::string& why) const {
+  has_failed = true;
   throw UserError("no checkpoint can be made: " + path + ": " + why);
 }
 
@@ -173,7 +180,7 @@ void Writer::write(const std::string& path, Element element, const void* data, s
 }
 
 void Writer::commit(const fs::path& path) {
-  if (H5Fflush(file_, H5F_SCOPE_GLOBAL) < 0) refuse("/", "HDF5 cannot hold it");
+  if (H5Fflush(file_, H5F_SCOPE_GLOBAL) < 0) refuse("/", "HDF5 cannot hold it: is there memory enough?");
   const ssize_t size = H5Fget_file_image(file_, nullptr, 0);
   std::vector<char> image(size > 0 ? std::size_t(size) : 0);
   if (size <= 0 || H5Fget_file_image(file_, image.data(), image.size()) != size) refuse("/", "HDF5 gives no file");

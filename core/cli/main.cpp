@@ -12,6 +12,7 @@
 #include "breccia/utf8.hpp"
 #include "cli/verbs.hpp"
 #include "config/suggest.hpp"
+#include "plugin/out_of_memory.hpp"
 
 namespace {
 
@@ -255,6 +256,7 @@ void set_environment_of_libraries(char** argv) {
 
 int main(int argc, char** argv) {
   set_environment_of_libraries(argv);
+  end_plainly_without_memory();
   try {
     const int code = dispatch(argc, argv);
     // A reader that has seen enough (`| head`) is no error; a full disk is.
@@ -272,7 +274,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "cannot use %s: %s\n", file.c_str(), why.c_str());
     return cli::bad_input;
   } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "breccia: not enough memory\n");
+    std::fprintf(stderr, "breccia: %s\n", out_of_memory().c_str());
     return cli::failure;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "breccia: %s\n", printable(e.what()).c_str());

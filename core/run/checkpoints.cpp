@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "breccia/atomic_file.hpp"
+#include "plugin/out_of_memory.hpp"
 
 namespace breccia {
 namespace fs = std::filesystem;
@@ -64,8 +65,19 @@ void Checkpoints::at(const RunProgress& now, bool stop) {
   if (!stop && !due(now)) return;
   try {
     save(now);
-  } catch (const UserError& e) { host_.warn(fmt::format("no checkpoint at step {}: {}", now.step, e.what())); }
+    failing_ = false;
+  } catch (const UserError& e) { missed(now, e.what()); } catch (const std::bad_alloc&) {
+    missed(now, out_of_memory());
+  }
   start_from(now);
+}
+
+/// The same disk is full at the next one, too: said once.
+void Checkpoints::missed(const RunProgress& now, const std::string& why) {
+  if (!failing_)
+    host_.warn(fmt::format("no checkpoint at step {}: {}; the run goes on, and tries again when the next ones are due",
+                           now.step, why));
+  failing_ = true;
 }
 
 void Checkpoints::save(const RunProgress& now) {
@@ -79,7 +91,7 @@ void Checkpoints::save(const RunProgress& now) {
     return;
   }
   std::error_code error;
-  fs::create_directories(folder_, error);
+  fs::create_directory(folder_, error);
   if (error) throw CannotWrite(folder_, error.value());
   writer->commit(folder_ / checkpoint_name(now.step));
   const auto there = checkpoints_in(folder_);

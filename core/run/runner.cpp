@@ -17,8 +17,13 @@
 #include "engine/simulation.hpp"
 #include "engine/specimen.hpp"
 #include "output/curve_table.hpp"
+#include "output/results_folder.hpp"
 #include "output/summary_table.hpp"
+<<<<<<< HEAD
 #include "run/branch.hpp"
+=======
+#include "plugin/out_of_memory.hpp"
+>>>>>>> ae70e64 (A run that cannot go on says what it leaves, and a folder that was removed is noticed at once)
 #include "run/checkpoints.hpp"
 #include "run/checks.hpp"
 #include "run/columns.hpp"
@@ -32,6 +37,7 @@
 #include "run/render.hpp"
 #include "run/run_summary.hpp"
 #include "run/scatter_summary.hpp"
+#include "run/threads.hpp"
 #include "run/warning_log.hpp"
 
 namespace breccia {
@@ -60,6 +66,7 @@ class Run {
 
   RunOutcome operator()() {
     const auto start = Clock::now();
+    refuse_without_threads(monitor_.threads());
     if (options_.resume) (*options_.resume->checkpoint)("warnings", monitor_);  // what was said is not said again
     for (const std::string& doubt : doubts_) monitor_.warn(doubt);
     places_.placing([&] {
@@ -69,11 +76,12 @@ class Run {
     write_file(options_.folder / "resolved.yaml", about_.resolved);
     loop();
     finish();
+    refuse_if_gone();
     write_summary(seconds_since(start));  // whole before the pictures, which may take long or be interrupted
     const std::filesystem::path results =
         options_.whole ? options_.whole(interrupted_ || !failure_.empty()) : options_.folder;
     draw(results);
-    write_summary(seconds_since(start));
+    add_to_summary(seconds_since(start));
     return {summary_.json(), interrupted_, failure_};
   }
 
@@ -92,6 +100,7 @@ class Run {
     packing_ = obtain_packing(registry_, w_.packing, w_.packing_request(), options_.packing_cache, monitor_);
     monitor_.info(fmt::format("packing `{}`: {} particles{}", w_.packing.type, packing_.particles.position.size(),
                               packing_.from_cache ? " (kept from an earlier run)" : ""));
+    memory_is_for(packing_.particles.position.size(), 0);
     for (const AskedGot& line : packing_.particles.report) monitor_.info(asked_got_text(line));
     if (options_.resume)
       refuse_changes(options_.resume->about, provenance_of(w_, registry_, packing_.hash),
@@ -107,6 +116,7 @@ class Run {
           laws_->interactions(), w_.engine_settings(monitor_.threads()));
       bonding_ = simulation_->bond(w_.bonding.rule());
     });
+    memory_is_for(simulation_->state().particles.size(), simulation_->state().bonds.size());
     const bool relative = bonding_.measure == GapMeasure::relative;
     monitor_.info(fmt::format(
         "{} bonds: coordination number {:.4f}, {}", simulation_->state().bonds.size(), bonding_.coordination_number,
@@ -188,6 +198,7 @@ class Run {
         loop_seconds_ += seconds_since(start);
         if (now.row) {
           in_row_ = true;
+          refuse_if_gone();
           laws_->within([&] { sample(now.begins); });
           if (now.ends || !failure_.empty()) {
             interrupted_ = cancelled && failure_.empty();
@@ -200,8 +211,18 @@ class Run {
       }
       loading.warn_of_missed_peak(monitor_);
       loading_checks_->finish(sim, loading.peak(), monitor_);
-    } catch (const PluginFault& e) { fail(e); }
-    viewable_ = complete_step();
+    } catch (const FolderGone&) { throw; } catch (const PluginFault& e) {
+      fail(e);
+    } catch (const UserError& e) {
+      if (curves_.rows() == 0) throw;  // nothing is lost
+      fail(e);
+    } catch (const std::bad_alloc&) {
+      if (curves_.rows() == 0) throw;
+      fail(UserError(out_of_memory()));
+      intact_ = false;
+    }
+    refuse_if_gone();
+    viewable_ = intact_ && complete_step();
     if (viewable_) attempt([&] { frames_->at(sim.view(), true); });
     attempt([&] { frames_->finish(); });
     curves_.close();
@@ -284,6 +305,7 @@ class Run {
 
   /// What was measured so far is kept, and says so.
   void fail(const UserError& e) {
+    if (failure_ == e.what()) return;  // it is no other one for being met again
     if (failure_.empty()) failure_ = e.what();
     monitor_.warn(e.what());
   }
@@ -291,7 +313,7 @@ class Run {
   void attempt(F&& f) {
     try {
       f();
-    } catch (const PluginFault& e) { fail(e); }
+    } catch (const UserError& e) { fail(e); }
   }
 
   /// Whether there is a state to be viewed; after a plugin's fault in the middle of a step it takes one more, unless
@@ -380,6 +402,21 @@ class Run {
     }
   }
 
+  void refuse_if_gone() const {
+    if (options_.refuse_if_gone) options_.refuse_if_gone();
+  }
+
+  /// What came after the results were whole. They are so without it.
+  void add_to_summary(double wall_seconds) {
+    refuse_if_gone();
+    try {
+      write_summary(wall_seconds);
+    } catch (const UserError& e) {
+      monitor_.warn(
+          fmt::format("the results are whole, but their summary does not have the last warnings: {}", e.what()));
+    }
+  }
+
   PluginId protocol_id() const { return {Protocol::kind, w_.protocol.type}; }
 
   /// The summary as it stands; what grows until the end of the run is set anew.
@@ -436,6 +473,7 @@ class Run {
   std::uint64_t first_step_ = 0;  ///< of this process: 0 unless the run went on
   bool interrupted_ = false;
   bool in_row_ = false, viewable_ = true;  ///< the present step is a row; there is a state to be viewed
+  bool intact_ = true;                     ///< nothing was interrupted while it changed the state
   std::string failure_;
 };
 
