@@ -22,7 +22,8 @@ namespace {
 
 constexpr std::size_t header_size = 512;  // where HDF5 looks for its beginning next, after the very start
 constexpr const char* mark = "breccia checkpoint 1";
-/// For the library, which takes two open files of one name for the same: a name that no file has, and no other one here.
+/// For the library, which takes two open files of one name for the same: a name that no file has, and no other one
+/// here.
 std::string name_in_memory() {
   static std::atomic<std::uint64_t> last{0};
   return "/dev/null/breccia checkpoint " + std::to_string(++last);

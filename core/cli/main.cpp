@@ -112,6 +112,17 @@ int dispatch(int argc, char** argv) {
   verb->add_option("--format", format, "text, markdown or json")->check(CLI::IsMember({"text", "markdown", "json"}));
   verb->callback([&] { code = cli::describe(plugin, format); });
 
+  cli::CheckArguments check;
+  verb = app.add_subcommand("check", "Check a contact law against itself: energy and work, stiffness, frames, ends");
+  verb->add_option("PLUGIN", check.plugin, "contact_law/NAME")->required();
+  verb->add_option("--plugin", check.plugins, "a plugin from outside Breccia's own folder, by its file or folder")
+      ->expected(1)
+      ->take_all();
+  verb->add_option("--set", check.overrides, "a parameter of the law; default: its default or example: friction=0.3")
+      ->expected(1)
+      ->take_all();
+  verb->callback([&] { code = cli::check(check); });
+
   cli::RenderArguments render;
   verb = app.add_subcommand("render", "Make pictures from the files of a run");
   verb->add_option("SOURCE", render.source, "result folder, .pvd or .vtp file")->required();

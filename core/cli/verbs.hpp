@@ -52,6 +52,13 @@ struct SweepArguments {
   int parent = 0;      ///< the process that started this one; 0: the user
 };
 
+struct CheckArguments {
+  std::string plugin;  ///< "contact_law/NAME"
+  std::vector<std::filesystem::path> plugins;
+  std::vector<std::string> overrides;
+};
+
+int check(const CheckArguments& arguments);
 int run(const RunArguments& arguments);
 int validate(const std::vector<std::filesystem::path>& files, const std::vector<std::string>& overrides,
              const std::string& variant);  ///< empty: the workflow and each of its variants

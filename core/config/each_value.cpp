@@ -16,10 +16,11 @@ class Walk {
   Walk(const PluginDirectory& plugins, const Visit& visit) : plugins_(plugins), visit_(visit) {}
 
   void members(const ParamSpec& group, const std::string& path, Json& values) const {
-    for (const auto& [key, value] : values.items()) {
+    for (const auto& entry : values.items()) {
+      const std::string& key = entry.key();
       const auto spec =
           std::find_if(group.members.begin(), group.members.end(), [&](const ParamSpec& m) { return m.name == key; });
-      if (spec != group.members.end()) member(*spec, member_path(path, key), values[key]);
+      if (spec != group.members.end()) member(*spec, member_path(path, key), entry.value());
     }
   }
 

@@ -75,7 +75,9 @@ class TreeWriter {
   YamlPtr members(const ParamSpec& group, const Json& value, const char* own_key = "") const {
     if (!value.is_object()) return as_it_stands(value);
     auto node = make(YamlNode::Kind::mapping);
-    for (const auto& [key, member] : value.items()) {
+    for (const auto& entry : value.items()) {
+      const std::string& key = entry.key();
+      const Json& member = entry.value();
       if (key == own_key) continue;
       const auto spec =
           std::find_if(group.members.begin(), group.members.end(), [&](const ParamSpec& m) { return m.name == key; });

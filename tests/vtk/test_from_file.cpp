@@ -65,6 +65,9 @@ TEST_F(FromFile, BadTablesAreRefusedWithTheirLine) {
   expect(refusal("x,y,z,radius\n0,0,0,0\n"), "line 2: the radius must be above 0");
   expect(refusal("x,y,z,radius\n1,2,3,1\n5,5,5,1\n# between\n1,2,3.0000000001,2\n"),
          "line 5: the same centre as line 2");
+  expect(refusal("x,y,z,radius\n1e34,0,0,1\n-1e308,0,0,1\n"), "line 2: the centre is farther than 1e30 m");
+  expect(refusal("x,y,z,radius\n0,0,0,1\n5,0,0,5e-310\n"), "line 3: the radius is not between 1e-30 m and 1e30 m");
+  expect(refusal("x,y,z,radius\n0,0,0,1e34\n"), "line 2: the radius is not between 1e-30 m and 1e30 m");
   expect(refusal(""), "p.csv is empty");
   expect(refusal("x,y,z,radius\n"), "p.csv holds no particle");
   expect(user_error([&] { load(folder_.path() / "no.csv"); }), "no.csv: no such file");
@@ -100,6 +103,8 @@ TEST_F(FromFile, ASpaceThatRepeatsItself) {
   expect(user_error([&] { load("0,0,0,1\n", period, {true, true, true}); }), "`period` must say after which length");
   expect(user_error([&] { load("0,0,0,1\n", period, {false, false, true}); }), "write 0 there in `period`");
   expect(user_error([&] { load("1,0,0,1\n21,0,-30,1\n", period, x_and_z); }), "the same centre as line 2");
+  expect(user_error([&] { load("1,0,0,1e9\n", period, x_and_z); }),
+         "line 2: the particle is larger than the period along x");
 }
 
 TEST_F(FromFile, WhatTheParticlesFill) {
@@ -171,6 +176,16 @@ TEST_F(FromFile, BadVtpFilesAreRefused) {
   const Json cylinder = {{"outline", "cylinder"}};
   expect(user_error([&] { load(folder_.path() / "no.vtp", cylinder); }), "no.vtp: no such file");
   expect(user_error([&] { load(folder_.file("text.vtp", "x,y,z"), cylinder); }), "it is damaged, or no VTK poly data");
+  // Types of arrays that VTK does not know ended the program.
+  for (const char* type : {"Strifg", "\" typ=\"String"})
+    expect(user_error([&] {
+             load(folder_.file("type.vtp",
+                               R"(<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>)"
+                               R"(<FieldData><Array Name="specimen_outline" NumberOfTuples="0" type=")" +
+                                   std::string(type) + R"(" format="ascii"/></FieldData></PolyData></VTKFile>)"),
+                  cylinder);
+           }),
+           "type.vtp: it is damaged");
   auto output = make<Output>(BRECCIA_VTK_PLUGIN, {});
   output->begin(folder_.path(), host_);
   output->frame(Specimen(20, 3).view(0), {});

@@ -5,10 +5,10 @@
 #include <vtkCellArray.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
-#include <vtkObject.h>
 #include <vtkPolyData.h>
 #include <vtkTriangleFilter.h>
-#include <vtkXMLPolyDataReader.h>
+
+#include "../../shared/checked_vtp_reader.hpp"
 #endif
 
 #include <cstdio>
@@ -26,16 +26,13 @@ constexpr int most_places = 10000;    // tried for one sphere
 
 #ifdef BRECCIA_HAS_VTK
 TriangleMesh read_vtp(const std::filesystem::path& file, double unit) {
-  const bool warnings = vtkObject::GetGlobalWarningDisplay();
-  vtkObject::GlobalWarningDisplayOff();  // VTK would print its own words; an empty surface tells enough
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(file.c_str());
+  const vtkSmartPointer<vtkPolyData> read = vtk::read_vtp(file);
+  if (!read) throw UserError("cannot read " + file.string() + ": it is missing, damaged, or no VTK poly data");
   vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputConnection(reader->GetOutputPort());
+  triangles->SetInputData(read);
   triangles->PassLinesOff();
   triangles->PassVertsOff();
   triangles->Update();
-  vtkObject::SetGlobalWarningDisplay(warnings);
   vtkPolyData* surface = triangles->GetOutput();
   if (surface->GetNumberOfPolys() == 0) throw UserError("cannot read " + file.string() + ": it holds no triangles");
   TriangleMesh mesh;

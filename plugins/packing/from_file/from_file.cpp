@@ -189,6 +189,8 @@ class FromFile final : public Packing {
     return 1;
   }
 
+  static constexpr double largest = 1e30;  // [m]
+
   void check(const from_file::Spheres& s, const Space& space) const {
     const bool flat = space.dimension == 2;
     if (s.radius.empty()) throw UserError(config_.file.string() + " holds no particle");
@@ -198,6 +200,12 @@ class FromFile final : public Packing {
       if (!s.position[k].allFinite()) fail("the centre is not finite");
       if (!std::isfinite(s.radius[k])) fail("the radius is not finite");
       if (!(s.radius[k] > 0)) fail("the radius must be above 0");
+      // Squares and cubes of what lies between stay numbers; nothing that is measured lies beyond.
+      if (s.position[k].cwiseAbs().maxCoeff() > largest) fail("the centre is farther than 1e30 m from the origin");
+      if (s.radius[k] > largest || s.radius[k] < 1 / largest) fail("the radius is not between 1e-30 m and 1e30 m");
+      for (int d = 0; d < 3; ++d)
+        if (space.cell.repeats(d) && 2 * s.radius[k] > space.cell.width(d))
+          fail(std::string("the particle is larger than the period along ") + "xyz"[d] + ", it would touch itself");
       if (flat && s.position[k].z() != 0) fail("z must be 0 in two dimensions");
       smallest = std::min(smallest, s.radius[k]);
     }

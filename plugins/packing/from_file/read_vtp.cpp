@@ -1,40 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <vtkCallbackCommand.h>
 #include <vtkDataArray.h>
-#include <vtkExecutive.h>
 #include <vtkFieldData.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPolyData.h>
 #include <vtkStringArray.h>
-#include <vtkXMLPolyDataReader.h>
 
+#include "../../shared/checked_vtp_reader.hpp"
 #include "breccia/text_file.hpp"
 #include "spheres.hpp"
 
 namespace breccia::from_file {
 
 Spheres read_vtp(const std::filesystem::path& file) {
-  // Whatever VTK dislikes ends here; without observers it would print.
-  bool bad = false;
-  vtkNew<vtkCallbackCommand> note;
-  note->SetClientData(&bad);
-  note->SetCallback([](vtkObject*, unsigned long, void* client, void*) { *static_cast<bool*>(client) = true; });
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->AddObserver(vtkCommand::ErrorEvent, note);
-  reader->SetParserErrorObserver(note);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, note);
   (void)read_bytes(file, 1);  // its words for a file that is not there or may not be read
-  if (reader->CanReadFile(file.c_str())) {
-    reader->SetFileName(file.c_str());
-    reader->Update();
-  } else {
-    bad = true;
-  }
-  if (bad || reader->GetErrorCode() != 0)
-    throw UserError("cannot read the packing file " + file.string() + ": it is damaged, or no VTK poly data");
+  const vtkSmartPointer<vtkPolyData> data = vtk::read_vtp(file);
+  if (!data) throw UserError("cannot read the packing file " + file.string() + ": it is damaged, or no VTK poly data");
 
-  vtkPolyData* data = reader->GetOutput();
   vtkDataArray* radius = data->GetPointData()->GetArray("radius");
   Spheres spheres;
   auto* outline = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("specimen_outline"));

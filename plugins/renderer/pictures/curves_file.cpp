@@ -28,15 +28,19 @@ std::vector<Curve> described_curves(std::filesystem::path file, const std::vecto
   file.replace_extension(".json");
   if (!std::filesystem::exists(file)) return {};
   const Json described = Json::parse(read_text_file(file), nullptr, false);
+  const auto text = [](const Json& object, const char* key) {  // empty when it is none
+    const auto at = object.find(key);
+    return at != object.end() && at->is_string() ? at->get<std::string>() : std::string();
+  };
   std::vector<Curve> curves;
   for (const std::string& header : headers) {
     const auto at =
         !described.is_array() ? described.end() : std::find_if(described.begin(), described.end(), [&](const Json& c) {
-          return c.is_object() && c.value("header", "") == header;
+          return c.is_object() && text(c, "header") == header;
         });
     if (at == described.end()) return {};  // of another table
-    const std::string unit = at->value("unit", "");
-    curves.push_back({at->value("name", header), unit == "1" ? "" : unit, {}});
+    const std::string name = text(*at, "name"), unit = text(*at, "unit");
+    curves.push_back({name.empty() ? header : name, unit == "1" ? "" : unit, {}});
   }
   return curves;
 }

@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "results.hpp"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationStringKey.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkStringArray.h>
 #include <vtkXMLDataElement.h>
-#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUtilities.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "../../shared/checked_vtp_reader.hpp"
 #include "breccia/error.hpp"
 #include "curves_file.hpp"
 
@@ -99,25 +96,11 @@ RunResults find_results(const fs::path& source) {
 }
 
 vtkSmartPointer<vtkPolyData> read_frame(const fs::path& file) {
-  // Whatever VTK dislikes ends here; without observers it would print.
-  bool bad = false;
-  vtkNew<vtkCallbackCommand> note;
-  note->SetClientData(&bad);
-  note->SetCallback([](vtkObject*, unsigned long, void* client, void*) { *static_cast<bool*>(client) = true; });
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->AddObserver(vtkCommand::ErrorEvent, note);
-  reader->SetParserErrorObserver(note);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, note);
-  if (reader->CanReadFile(file.c_str())) {
-    reader->SetFileName(file.c_str());
-    reader->Update();
-  } else {
-    bad = true;
-  }
-  if (bad || reader->GetErrorCode() != 0)
+  const auto frame = vtk::read_vtp(file);
+  if (!frame)
     throw UserError("renderer pictures: cannot read " + file.string() +
                     ": it is missing, damaged, or no VTK poly data");
-  return reader->GetOutput();
+  return frame;
 }
 
 FrameFacts facts_of(vtkPolyData* frame) {
