@@ -90,15 +90,15 @@ TEST_F(Around, WhatTakesAFoldersPlaceIsNotTouched) {
   EXPECT_FALSE(fs::exists(folder_ / "out/curves.csv"));
 }
 
-// Not yet right since branches and lazy hashes came: see the closing note of issue 13.
-TEST_F(Around, DISABLED_APluginsFileThatGoesUnderWayIsNotMissedUntilItIsToGoOn) {
+TEST_F(Around, APluginsFileThatGoesUnderWayIsNotMissedUntilItIsToGoOn) {
   // A copy, which may be harmed.
   const std::string law = BRECCIA_BINARY_DIR "/tests/plugins/fixtures/faulty_renderer.so";
   fs::copy_file(law, folder_ / "own.so");
   const std::string head =
       "plugins: ['" BRECCIA_BINARY_DIR "/tests/plugins/fixtures/faulty_postprocessor.so', own.so]\n";
   for (const auto& [command, says] :
-       {std::pair{"rm own.so", "own.so"}, {"cp own.so new.so && echo >>new.so && mv new.so own.so", "own.so"}}) {
+       {std::pair{"rm own.so", "own.so"},
+        {"cp own.so new.so && echo >>new.so && mv new.so own.so", "renderer/faulty has changed"}}) {
     SCOPED_TRACE(command);
     if (!fs::exists(folder_ / "own.so")) fs::copy_file(law, folder_ / "own.so");
     write("w.yaml", head + specimen + "checkpoints: {every_steps: 10}\nrenderers: [{type: faulty}]\n" +
@@ -113,6 +113,7 @@ TEST_F(Around, DISABLED_APluginsFileThatGoesUnderWayIsNotMissedUntilItIsToGoOn) 
   }
 }
 
+// Whether a limit ends the run in the right place depends on the machine; see docs/reliability.md.
 TEST_F(Around, DISABLED_MemoryOfAnySizeEndsInOrder) {
   // Twenty thousand bonds: large enough that each part of the preparation has its turn.
   std::string big = content(BRECCIA_SOURCE_DIR "/tests/torture/column.yaml");
