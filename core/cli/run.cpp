@@ -67,7 +67,8 @@ int run(const RunArguments& a) {
         apart ? results.work().string() + " (the earlier ones, which had finished, are kept)" : folder.string()));
     if (!outcome.failure.empty()) {
       console.info("why: " + outcome.failure);
-      console.info(what_is_kept(apart ? results.work() : folder, folder));
+      if (const std::string kept = what_is_kept(apart ? results.work() : folder, folder); !kept.empty())
+        console.info(kept);
       return bad_input;
     }
     return outcome.interrupted ? interrupted : ok;

@@ -3,9 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <new>
-#include <system_error>
 
 #include "breccia/atomic_file.hpp"
 #include "plugin/out_of_memory.hpp"
@@ -51,13 +52,11 @@ void rethrow_as_fault(const PluginId& plugin, std::string_view doing) {
     throw failed(out_of_memory());
   } catch (const std::filesystem::filesystem_error& e) {
     throw failed(fmt::format("cannot use {}: {}", e.path1().string(), e.code().message()));
-  } catch (const std::system_error& e) {
-    // A thread that cannot be had; the library's own words name a function.
-    if (e.code() != std::errc::resource_unavailable_try_again) throw failed(e.what());
-    throw failed("the system gives no more threads, or no memory for one (ulimit -u, -v, -d)");
-  } catch (const std::exception& e) { throw failed(e.what()); } catch (...) {
-    throw failed("it threw something that is not an exception");
-  }
+  } catch (const std::exception& e) {
+    // Of a thread that cannot be had libraries tell in words of their own, which name a function.
+    if (std::string_view(e.what()).find(std::strerror(EAGAIN)) == std::string_view::npos) throw failed(e.what());
+    throw failed("the system gives no more threads, or has no memory for one (ulimit -u, -v, -d)");
+  } catch (...) { throw failed("it threw something that is not an exception"); }
 }
 
 }  // namespace breccia

@@ -91,7 +91,7 @@ class FaultyPrograms : public SmallSpecimen {
 
   static std::string plugins() {
     std::string list;
-    for (const char* kind : {"packing", "contact_law", "postprocessor", "renderer"})
+    for (const char* kind : {"packing", "contact_law", "protocol", "postprocessor", "renderer"})
       list += (list.empty() ? "" : ", ") + std::string("'" BRECCIA_BINARY_DIR "/tests/plugins/fixtures/faulty_") +
               kind + ".so'";
     return "plugins: [" + list + "]\n";
