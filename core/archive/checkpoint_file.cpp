@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <boost/dll/runtime_symbol_info.hpp>
+#include <cstdlib>
+#include <new>
 
 namespace breccia {
 namespace fs = std::filesystem;
@@ -33,13 +35,25 @@ F* function(const char* name) {
   return reinterpret_cast<F*>(found);
 }
 
+/// HDF5 does not survive that memory ends while it is at work. It holds a file twice while that grows, in steps of 4
+/// MB, and gives it out once more; the rest is for the library itself.
+void refuse_without_memory(std::size_t bytes) {
+  void* volatile all = std::malloc(4 * bytes + (std::size_t(24) << 20));
+  if (!all) throw std::bad_alloc();
+  std::free(all);
+}
+
 }  // namespace
 
-std::unique_ptr<CheckpointWriter> begin_checkpoint() {
+std::unique_ptr<CheckpointWriter> begin_checkpoint(std::size_t bytes) {
+  refuse_without_memory(bytes);
   return std::unique_ptr<CheckpointWriter>(function<CheckpointWriter*()>("breccia_begin_checkpoint")());
 }
 
 std::unique_ptr<CheckpointReader> read_checkpoint(const fs::path& file) {
+  std::error_code unknown;
+  const auto size = fs::file_size(file, unknown);
+  refuse_without_memory(unknown ? 0 : std::size_t(size));
   return std::unique_ptr<CheckpointReader>(
       function<CheckpointReader*(const char*)>("breccia_read_checkpoint")(file.c_str()));
 }

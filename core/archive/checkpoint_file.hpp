@@ -32,8 +32,10 @@ class BRECCIA_API CheckpointReader : public Archive {
 };
 
 /// UserError where the library cannot be loaded (`breccia-core/breccia_checkpoint_hdf5.so` beside the plugins' folder).
-std::unique_ptr<CheckpointWriter> begin_checkpoint();
-/// The same, and when there is no such file, or it is damaged or of another format.
+/// std::bad_alloc when there is no memory for a file of so many bytes: the library is not entered then, as it may
+/// crash.
+std::unique_ptr<CheckpointWriter> begin_checkpoint(std::size_t bytes = 0);
+/// The same, and UserError when there is no such file, or it is damaged or of another format.
 std::unique_ptr<CheckpointReader> read_checkpoint(const std::filesystem::path& file);
 
 /// `step_000000012345.h5`, so that names sort as steps do.

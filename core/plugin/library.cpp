@@ -39,9 +39,15 @@ const BrecciaPluginDescriptor& load(const std::filesystem::path& file) {
   boost::dll::shared_library library;
   std::error_code error;
   library.load(std::filesystem::absolute(file), error, load_mode::rtld_now | load_mode::rtld_local);
-  if (error)
-    throw UserError(fmt::format("plugin {} cannot be loaded: {}; install or link what it needs, or build it again",
-                                file.string(), loader_message()));
+  if (error) {
+    const std::string why = loader_message();
+    const auto has = [&](const char* part) { return why.find(part) != why.npos; };
+    // Where programs may not be run the loader says so; else nothing but memory is missing.
+    const bool memory = has("llocate memory") || (has("failed to map segment") && !has("not permitted"));
+    throw UserError(fmt::format(
+        "plugin {} cannot be loaded: {}; {}", file.string(), why,
+        memory ? "there is not enough memory (ulimit -v, -d)" : "install or link what it needs, or build it again"));
+  }
   const auto& descriptor = library.get<const BrecciaPluginDescriptor>("breccia_plugin");
   loaded_libraries().push_back(std::move(library));
   return descriptor;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "archive/archive_size.hpp"
 #include "breccia/atomic_file.hpp"
 #include "plugin/out_of_memory.hpp"
 
@@ -81,8 +82,8 @@ void Checkpoints::missed(const RunProgress& now, const std::string& why) {
 }
 
 void Checkpoints::save(const RunProgress& now) {
-  const auto writer = begin_checkpoint();
-  if (const auto unknown = write_(*writer); !unknown.empty()) {
+  ArchiveSize size;
+  if (const auto unknown = write_(size); !unknown.empty()) {
     impossible_ = true;
     host_.warn(
         fmt::format("this run has no checkpoints and cannot go on once it is stopped: {} does not say what changes "
@@ -90,6 +91,8 @@ void Checkpoints::save(const RunProgress& now) {
                     fmt::join(unknown, ", ")));
     return;
   }
+  const auto writer = begin_checkpoint(size.bytes());
+  (void)write_(*writer);
   std::error_code error;
   fs::create_directory(folder_, error);
   if (error) throw CannotWrite(folder_, error.value());

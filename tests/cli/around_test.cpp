@@ -132,7 +132,7 @@ TEST_F(Around, MemoryOfAnySizeEndsInOrder) {
     EXPECT_EQ(torsos(folder_ / "out"), "");
     if (r.code == 1) { EXPECT_TRUE(has(r.text, "that it may have (ulimit -d)")); }
   }
-  EXPECT_GT(codes[1], 2) << "nothing was tested of it";
+  EXPECT_TRUE(codes[0] > 0 && codes[1] > 0 && codes[2] > 0) << "of too little, too late and enough";
 }
 
 TEST_F(Around, AMotionThatRunsAwayKeepsWhatWasMeasuredBefore) {

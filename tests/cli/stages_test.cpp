@@ -102,16 +102,17 @@ class Disks : public FaultyPrograms {};
 TEST_F(Disks, OfAnySizeEndInOrder) {
   if (!is_on_a_small_disk(16u << 20)) GTEST_SKIP() << "NOTHING WAS TESTED: no tmpfs (root, or user namespaces)";
   write_spheres();
-  write("w.yaml", std::string(specimen) +
-                      "checkpoints: {every_steps: 20}\noutputs: [{type: vtk, interval: 5 us}]\n"
-                      "postprocessors: [{type: stress}]\nrenderers: [{type: pictures}]\n");
+  write("w.yaml",
+        std::string(specimen) +
+            "checkpoints: {every_steps: 20}\noutputs: [{type: vtk, interval: 5 us}]\n"
+            "postprocessors: [{type: stress}]\nrenderers: [{type: pictures, pictures: [{show: stress_strain}]}]\n");
   const Result whole = call("run w.yaml --threads 1 --output whole");
   ASSERT_EQ(whole.code, 0) << whole.text;
   const std::string curves = content(folder_ / "whole/curves.csv");
   fs::remove_all(folder_ / "whole");
   bool finished = false;
   // It is full wherever the space runs out: sizes grow until all has its place.
-  for (std::size_t left = 4096, k = 0; !finished; left = left * 4 / 3 + 4096, ++k) {
+  for (std::size_t left = 4096, k = 0; !finished; left = left * 3 / 2 + 8192, ++k) {
     ASSERT_LT(k, 40u);
     const std::string fill = "cat /dev/zero >filler 2>/dev/null; truncate -s -" + std::to_string(left) + " filler";
     call_shell(fill);
