@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 #include <fstream>
 #include <span>
@@ -21,9 +22,12 @@ namespace {
 
 constexpr std::size_t header_size = 512;  // where HDF5 looks for its beginning next, after the very start
 constexpr const char* mark = "breccia checkpoint 1";
-// For the library: names that no file has, and not the same one, since it knows open files by their names.
-constexpr const char *name_written = "/dev/null/breccia checkpoint, written",
-                     *name_read = "/dev/null/breccia checkpoint, read";
+/// For the library, which takes two open files of one name for the same: a name that no file has, and no other one
+/// here.
+std::string name_in_memory() {
+  static std::atomic<std::uint64_t> last{0};
+  return "/dev/null/breccia checkpoint " + std::to_string(++last);
+}
 
 struct Type {
   hid_t memory, file;
@@ -64,7 +68,11 @@ class Handle {
   herr_t (*close_)(hid_t);
 };
 
-void be_silent() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+/// Whatever it could not close, for want of memory, it would stumble over when the program ends.
+void be_silent() {
+  H5dont_atexit();  // only before its first other call
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 std::string header_of(const std::string& digest) {
   std::string text = std::string(mark) + "\nsha256 " + digest + "\n";
@@ -97,6 +105,7 @@ class Writer final : public CheckpointWriter {
   [[noreturn]] void refuse(const std::string& path, const std::string& why) const override;
 
   hid_t file_ = -1;
+  static inline bool has_failed = false;  ///< what it then leaves of a file cannot be closed: not to be gone on with
 };
 
 class Reader final : public CheckpointReader {
@@ -118,13 +127,14 @@ class Reader final : public CheckpointReader {
 };
 
 Writer::Writer() {
+  if (has_failed) throw UserError("no checkpoint can be made: HDF5 has failed at one before");
   be_silent();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   constexpr std::size_t grow = std::size_t(1) << 22;
   // In the oldest format, the library's default: later ones have a checksum over a byte that H5Fget_file_image changes.
   if (H5Pset_fapl_core(access, grow, false) < 0 ||
-      (file_ = H5Fcreate(name_written, H5F_ACC_TRUNC, H5P_DEFAULT, access)) < 0)
-    throw UserError("no checkpoint can be made: HDF5 refuses a file in memory");
+      (file_ = H5Fcreate(name_in_memory().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)) < 0)
+    throw UserError("no checkpoint can be made: HDF5 refuses a file in memory: is there memory enough?");
 }
 
 Writer::~Writer() {
@@ -132,6 +142,7 @@ Writer::~Writer() {
 }
 
 void Writer::refuse(const std::string& path, const std::string& why) const {
+  has_failed = true;
   throw UserError("no checkpoint can be made: " + path + ": " + why);
 }
 
@@ -169,7 +180,7 @@ void Writer::write(const std::string& path, Element element, const void* data, s
 }
 
 void Writer::commit(const fs::path& path) {
-  if (H5Fflush(file_, H5F_SCOPE_GLOBAL) < 0) refuse("/", "HDF5 cannot hold it");
+  if (H5Fflush(file_, H5F_SCOPE_GLOBAL) < 0) refuse("/", "HDF5 cannot hold it: is there memory enough?");
   const ssize_t size = H5Fget_file_image(file_, nullptr, 0);
   std::vector<char> image(size > 0 ? std::size_t(size) : 0);
   if (size <= 0 || H5Fget_file_image(file_, image.data(), image.size()) != size) refuse("/", "HDF5 gives no file");
@@ -220,7 +231,7 @@ Reader::Reader(fs::path file) : path_(std::move(file)) {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   if (H5Pset_fapl_core(access, std::size_t(1) << 22, false) < 0 ||
       H5Pset_file_image(access, image.data(), image.size()) < 0 ||
-      (file_ = H5Fopen(name_read, H5F_ACC_RDONLY, access)) < 0)
+      (file_ = H5Fopen(name_in_memory().c_str(), H5F_ACC_RDONLY, access)) < 0)
     throw damaged("HDF5 cannot open it");
   image = {};  // the library has a copy
 }

@@ -12,6 +12,7 @@
 #include "breccia/utf8.hpp"
 #include "cli/verbs.hpp"
 #include "config/suggest.hpp"
+#include "plugin/out_of_memory.hpp"
 
 namespace {
 
@@ -67,9 +68,12 @@ int dispatch(int argc, char** argv) {
                                   "a folder of results: goes on from its newest checkpoint, with the workflow that "
                                   "stands there, to the same results as if the run had not been stopped")
                      ->excludes(run_file);
+  verb->add_option("--from", run.from,
+                   "a checkpoint of another run, or the folder of its results: begins where that run stood, as `from` "
+                   "of a workflow does")
+      ->excludes(resume);
   verb->add_flag("--accept-changed-plugins", run.accept_changed_plugins,
-                 "go on although a plugin or a file that was read is another one than at the beginning")
-      ->needs(resume);
+                 "go on although a plugin or a file that was read is another one than at the beginning");
   verb->add_option("--output", run.output, "folder of the results; default: results/<workflow name>")->excludes(resume);
   verb->add_flag("--overwrite", run.overwrite, "replace the results of an earlier run in that folder");
   verb->add_option("--threads", run.threads, "threads; default: all cores. The results do not depend on it")
@@ -107,6 +111,17 @@ int dispatch(int argc, char** argv) {
       ->required();
   verb->add_option("--format", format, "text, markdown or json")->check(CLI::IsMember({"text", "markdown", "json"}));
   verb->callback([&] { code = cli::describe(plugin, format); });
+
+  cli::CheckArguments check;
+  verb = app.add_subcommand("check", "Check a contact law against itself: energy and work, stiffness, frames, ends");
+  verb->add_option("PLUGIN", check.plugin, "contact_law/NAME")->required();
+  verb->add_option("--plugin", check.plugins, "a plugin from outside Breccia's own folder, by its file or folder")
+      ->expected(1)
+      ->take_all();
+  verb->add_option("--set", check.overrides, "a parameter of the law; default: its default or example: friction=0.3")
+      ->expected(1)
+      ->take_all();
+  verb->callback([&] { code = cli::check(check); });
 
   cli::RenderArguments render;
   verb = app.add_subcommand("render", "Make pictures from the files of a run");
@@ -241,6 +256,7 @@ void set_environment_of_libraries(char** argv) {
 
 int main(int argc, char** argv) {
   set_environment_of_libraries(argv);
+  end_plainly_without_memory();
   try {
     const int code = dispatch(argc, argv);
     // A reader that has seen enough (`| head`) is no error; a full disk is.
@@ -258,7 +274,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "cannot use %s: %s\n", file.c_str(), why.c_str());
     return cli::bad_input;
   } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "breccia: not enough memory\n");
+    std::fprintf(stderr, "breccia: %s\n", out_of_memory().c_str());
     return cli::failure;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "breccia: %s\n", printable(e.what()).c_str());

@@ -10,6 +10,7 @@
 #include "cli/verbs.hpp"
 #include "output/results_folder.hpp"
 #include "run/packing_cache.hpp"
+#include "run/what_is_kept.hpp"
 
 namespace breccia::cli {
 int run(const RunArguments& a) {
@@ -19,7 +20,10 @@ int run(const RunArguments& a) {
   for (const std::string& w : registry.warnings()) console.warn(w);
   std::optional<ResumePoint> resume;
   if (!a.resume.empty()) resume = find_resume_point(a.resume, console);
-  const LoadedWorkflow loaded = load_workflow(resume ? resume->resolved : a.file, a.overrides, registry, a.variant);
+  std::vector<std::string> overrides = a.overrides;
+  if (!a.from.empty())
+    overrides.push_back("from.checkpoint=" + Json(std::filesystem::absolute(a.from).string()).dump());
+  const LoadedWorkflow loaded = load_workflow(resume ? resume->resolved : a.file, overrides, registry, a.variant);
   const std::filesystem::path folder = resume             ? a.resume
                                        : a.output.empty() ? std::filesystem::path("results") / loaded.workflow.name
                                                           : a.output;
@@ -41,10 +45,17 @@ int run(const RunArguments& a) {
       results.take_over(!stopped);
       return results.path();
     };
-    const RunOptions options{results.work(), default_cache_folder(), whole, resume ? &*resume : nullptr,
-                             a.accept_changed_plugins};
+    const RunOptions options{
+        results.work(),           default_cache_folder(),           whole, resume ? &*resume : nullptr,
+        a.accept_changed_plugins, [&] { results.refuse_if_gone(); }};
     const RunOutcome outcome = run_workflow(loaded, registry, options, console);
-    if (!apart) results.take_over(outcome.failure.empty() && !outcome.summary["interrupted"].get<bool>());
+    try {
+      if (!apart) results.take_over(outcome.failure.empty() && !outcome.summary["interrupted"].get<bool>());
+    } catch (const FolderGone&) { throw; } catch (const UserError& e) {  // all else is there since `whole`
+      console.warn(
+          std::string("the results are whole, but their pictures are not there (`breccia render` draws them): ") +
+          e.what());
+    }
     console.clear_bar();
     print_results(outcome.summary);
     console.info(fmt::format(
@@ -54,12 +65,18 @@ int run(const RunArguments& a) {
                                  : "finished",
         outcome.summary["wall_time_s"].get<double>(),
         apart ? results.work().string() + " (the earlier ones, which had finished, are kept)" : folder.string()));
-    if (!outcome.failure.empty()) return bad_input;
+    if (!outcome.failure.empty()) {
+      console.info("why: " + outcome.failure);
+      console.info(what_is_kept(apart ? results.work() : folder, folder));
+      return bad_input;
+    }
     return outcome.interrupted ? interrupted : ok;
   } catch (const std::exception& e) {
     console.clear_bar();
     console.log_only(std::string("ended: ") + e.what());
-    throw;
+    const std::string kept = what_is_kept(results.work(), folder);
+    if (kept.empty() || !dynamic_cast<const UserError*>(&e) || dynamic_cast<const FolderGone*>(&e)) throw;
+    throw UserError(std::string(e.what()) + "\n" + kept);
   }
 }
 

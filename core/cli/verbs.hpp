@@ -11,7 +11,7 @@ namespace breccia::cli {
 constexpr int ok = 0, failure = 1, bad_input = 2, interrupted = 130;
 
 struct RunArguments {
-  std::filesystem::path file, output, resume;
+  std::filesystem::path file, output, resume, from;
   std::vector<std::string> overrides;
   std::string variant;
   int threads = 0;  ///< 0: as many as the machine has
@@ -52,6 +52,13 @@ struct SweepArguments {
   int parent = 0;      ///< the process that started this one; 0: the user
 };
 
+struct CheckArguments {
+  std::string plugin;  ///< "contact_law/NAME"
+  std::vector<std::filesystem::path> plugins;
+  std::vector<std::string> overrides;
+};
+
+int check(const CheckArguments& arguments);
 int run(const RunArguments& arguments);
 int validate(const std::vector<std::filesystem::path>& files, const std::vector<std::string>& overrides,
              const std::string& variant);  ///< empty: the workflow and each of its variants

@@ -109,9 +109,7 @@ BondingResult make_bonds(State& state, const BondingRule& rule) {
   const std::size_t n = b.i.size();
   b.pair.assign(n, BondsView::no_pair);
   b.state.assign(n, BondState::intact);
-  b.break_time.assign(n, -1.0);
-  b.break_position.assign(n, Vec3::Zero());
-  b.break_normal.assign(n, Vec3::Zero());
+  b.crack_of.assign(n, BondsView::no_crack);
   result.coordination_number = 2.0 * double(n) / double(p.size());
   return result;
 }

@@ -2,6 +2,7 @@
 /// Finds the particles whose surfaces are nearer than a skin.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "breccia/images.hpp"
@@ -20,10 +21,15 @@ class NeighbourSearch {
   void append_partners(Index i, std::vector<Index>& out) const;
 
  private:
+  /// With strays moved to the edge of a box around the others: those that are near each other stay so, and the grid is
+  /// as fine as without them. Empty when the grid can do with all as they are.
+  static std::vector<Vec3> drawn_in(std::span<const Vec3> points, double reach);
+
   const Space& space_;
   const Particles& p_;
   double skin_, reach_;
   Images images_;
+  std::vector<Vec3> drawn_in_;  ///< places in the grid, if other than the particles' own
   CellGrid grid_;
   std::vector<double> x_, y_, z_, r_;
 };

@@ -21,19 +21,6 @@ std::vector<std::size_t> rows_by_first(const std::vector<Index>& first, std::siz
   return start;
 }
 
-/// Keeps the memory that is there; what it holds is overwritten.
-void resize(Pairs& p, std::size_t n, std::size_t columns, bool moments) {
-  p.i.resize(n);
-  p.j.resize(n);
-  p.bond.resize(n);
-  p.rest_length.resize(n);
-  p.state.resize(n);
-  p.columns.resize(columns);
-  for (auto& c : p.columns) c.resize(n);
-  p.force.resize(n);
-  if (moments) p.moment.resize(n, Vec3::Zero());
-}
-
 /// Whether a pair that is no bond knows more than two strangers would: a history that is not the one the law starts
 /// with, or particles that overlapped when they were packed.
 class Memory {
@@ -78,6 +65,51 @@ struct Rows {
   std::size_t start = 0;          ///< in the new list
 };
 
+/// What is kept of one array of the old list, array by array: twice the whole list would be half of all memory.
+class Sorter {
+ public:
+  Sorter(const std::vector<Rows>& blocks, std::size_t size, int threads)
+      : blocks_(blocks), size_(size), threads_(threads) {}
+  /// `spare` lends its memory and receives the old array.
+  template <class T>
+  void operator()(std::vector<T>& values, std::vector<T>& spare) const {
+    spare.resize(size_);
+#pragma omp parallel for schedule(dynamic) num_threads(threads_)
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      const Rows& rows = blocks_[b];
+      for (std::size_t k = 0; k < rows.from.size(); ++k)
+        if (rows.from[k] != Rows::fresh) spare[rows.start + k] = values[rows.from[k]];
+    }
+    std::swap(values, spare);
+  }
+
+ private:
+  const std::vector<Rows>& blocks_;
+  std::size_t size_;
+  int threads_;
+};
+
+/// The same of the whole list; what new pairs begin with is left open.
+void take_over(Pairs& q, std::vector<Rows>& blocks, std::size_t size, const Interactions& law, int threads) {
+  q.i.resize(size);
+  q.j.resize(size);
+  for (Rows& rows : blocks) {
+    std::copy(rows.i.begin(), rows.i.end(), q.i.begin() + std::ptrdiff_t(rows.start));
+    std::copy(rows.j.begin(), rows.j.end(), q.j.begin() + std::ptrdiff_t(rows.start));
+  }
+  const Sorter sort(blocks, size, threads);
+  std::vector<Index> spare_index;
+  sort(q.bond, spare_index);
+  std::vector<BondState> spare_state;
+  sort(q.state, spare_state);
+  std::vector<double> spare;
+  sort(q.rest_length, spare);
+  q.columns.resize(law.columns());
+  for (auto& column : q.columns) sort(column, spare);
+  q.force.resize(size);
+  if (law.has_moments()) q.moment.resize(size, Vec3::Zero());
+}
+
 /// The farthest from where the strain of the space alone would have taken it, all but a motion in common.
 double largest_against(const State& s, const std::vector<Vec3>& from, const Cell& cell) {
   const Mat3 growth = Mat3::Identity() + (s.cell.vectors() - cell.vectors()) * cell.inverse();
@@ -91,15 +123,11 @@ double largest_against(const State& s, const std::vector<Vec3>& from, const Cell
 
 }  // namespace
 
-void rebuild_pairs(State& s, const Interactions& law, double skin, Pairs& spare, int threads) {
+void rebuild_pairs(State& s, const Interactions& law, double skin, int threads) {
   const Particles& p = s.particles;
   const Index n = Index(p.size());
-  std::swap(s.pairs, spare);
-  std::swap(s.pairs.force, spare.force);  // nothing is kept of them: one array does
-  std::swap(s.pairs.moment, spare.moment);
-  const Pairs& old = spare;
   Pairs& q = s.pairs;
-  const auto old_start = rows_by_first(old.i, n);
+  const auto old_start = rows_by_first(q.i, n);
   const auto bond_start = rows_by_first(s.bonds.i, n);
   const NeighbourSearch search(s, p, skin);
 
@@ -108,7 +136,7 @@ void rebuild_pairs(State& s, const Interactions& law, double skin, Pairs& spare,
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     Rows& rows = blocks[b];
     std::vector<Index> partners;
-    Memory memory(s, old, law);
+    Memory memory(s, q, law);
     for (Index i = Index(b * Rows::particles); i < std::min<std::size_t>(n, (b + 1) * Rows::particles); ++i) {
       partners.clear();
       search.append_partners(i, partners);
@@ -116,14 +144,14 @@ void rebuild_pairs(State& s, const Interactions& law, double skin, Pairs& spare,
         if (s.bonds.state[k] == BondState::intact || distance(s, i, s.bonds.j[k]) < s.bonds.initial_distance[k] + skin)
           partners.push_back(s.bonds.j[k]);
       for (std::size_t k = old_start[i]; k < old_start[i + 1]; ++k)
-        if (distance(s, i, old.j[k]) >= p.radius()[i] + p.radius()[old.j[k]] + skin && memory.holds(k))
-          partners.push_back(old.j[k]);
+        if (distance(s, i, q.j[k]) >= p.radius()[i] + p.radius()[q.j[k]] + skin && memory.holds(k))
+          partners.push_back(q.j[k]);
       std::sort(partners.begin(), partners.end());
       partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
       std::size_t at = old_start[i];
       for (const Index j : partners) {
-        while (at < old_start[i + 1] && old.j[at] < j) ++at;
-        const bool known = at < old_start[i + 1] && old.j[at] == j;
+        while (at < old_start[i + 1] && q.j[at] < j) ++at;
+        const bool known = at < old_start[i + 1] && q.j[at] == j;
         rows.i.push_back(i);
         rows.j.push_back(j);
         rows.from.push_back(known ? Index(at) : Rows::fresh);
@@ -136,20 +164,15 @@ void rebuild_pairs(State& s, const Interactions& law, double skin, Pairs& spare,
     size += rows.i.size();
   }
   BRECCIA_ASSERT(size < (std::size_t(1) << 31));
-  resize(q, size, law.columns(), law.has_moments());
+  take_over(q, blocks, size, law, threads);
   std::fill(s.bonds.pair.begin(), s.bonds.pair.end(), BondsView::no_pair);
   std::vector<double*> columns;
   const PairBatch all = whole_batch(s, columns);
 
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
   for (std::size_t b = 0; b < blocks.size(); ++b) {
-    Rows& rows = blocks[b];
+    const Rows& rows = blocks[b];
     const std::size_t start = rows.start, count = rows.i.size();
-    std::copy(rows.i.begin(), rows.i.end(), q.i.begin() + std::ptrdiff_t(start));
-    std::copy(rows.j.begin(), rows.j.end(), q.j.begin() + std::ptrdiff_t(start));
-    for (std::size_t c = 0; c < q.columns.size(); ++c)
-      for (std::size_t k = 0; k < count; ++k)
-        if (rows.from[k] != Rows::fresh) q.columns[c][start + k] = old.columns[c][rows.from[k]];
     std::size_t first_new = start;  // of a run of new pairs: the law is asked once for each run
     const auto begin_history = [&](std::size_t end) {
       PairBatch run = all;
@@ -158,14 +181,11 @@ void rebuild_pairs(State& s, const Interactions& law, double skin, Pairs& spare,
       if (first_new < end) law.initialise(run);
     };
     for (std::size_t r = 0; r < count; ++r) {
-      const Index i = rows.i[r], j = rows.j[r], from = rows.from[r];
+      const Index i = rows.i[r], j = rows.j[r];
       const std::size_t k = start + r;
-      if (from != Rows::fresh) {
+      if (rows.from[r] != Rows::fresh) {
         begin_history(k);
         first_new = k + 1;
-        q.bond[k] = old.bond[from];
-        q.rest_length[k] = old.rest_length[from];
-        q.state[k] = old.state[from];
       } else {
         const auto begin = s.bonds.j.begin() + std::ptrdiff_t(bond_start[i]),
                    end = s.bonds.j.begin() + std::ptrdiff_t(bond_start[i + 1]);

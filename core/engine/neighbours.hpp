@@ -17,11 +17,11 @@ struct Incidence {
 };
 
 /// Rebuilds the pair list with the given skin [m]; pairs that stay keep their history, new ones get it from the law.
-/// `spare` lends its memory and receives the old list. What a pair feels does not depend on the skin: intact bonds are
+/// What a pair feels does not depend on the skin: intact bonds are
 /// always listed; a pair whose surfaces (and, if it was bonded once, whose initial distance) are a skin apart leaves
 /// only if it would come back as it is, that is with the history that the law gives to a new pair. A bond's state and
 /// rest length are known to `Bonds` and come back with the pair.
-void rebuild_pairs(State& state, const Interactions& law, double skin, Pairs& spare, int threads);
+void rebuild_pairs(State& state, const Interactions& law, double skin, int threads);
 
 Incidence make_incidence(const State& state, int threads);
 

@@ -85,7 +85,7 @@ void Simulation::check_critical_step() {
 
 void Simulation::rebuild() {
   fold_chunk_sums();
-  rebuild_pairs(state_, laws_, skin_, spare_pairs_, settings_.threads);
+  rebuild_pairs(state_, laws_, skin_, settings_.threads);
   rebuild_wall_touches(state_, skin_);
   deal_pairs();
   // Rows that no wall touches any more go back to the applied force alone.
@@ -241,10 +241,15 @@ void Simulation::record_breaks() {
       const double half_gap = 0.5 * (distance - s.particles.radius()[i] - s.particles.radius()[j]);
       broken_ += !is_broken(s.bonds.state[b]) && is_broken(s.pairs.state[k]);
       s.bonds.state[b] = s.pairs.state[k];
-      s.bonds.break_time[b] = s.time;
-      s.bonds.break_normal[b] = branch.normalized();
-      s.bonds.break_position[b] =
-          s.particles.position()[i] + (s.particles.radius()[i] + half_gap) * s.bonds.break_normal[b];
+      const Vec3 normal = branch.normalized();
+      const Crack crack{s.time, s.particles.position()[i] + (s.particles.radius()[i] + half_gap) * normal, normal};
+      Index& row = s.bonds.crack_of[b];
+      if (row == BondsView::no_crack) {
+        row = Index(s.bonds.cracks.size());
+        s.bonds.cracks.push_back(crack);
+      } else {
+        s.bonds.cracks[row] = crack;
+      }
     }
   }
 }
@@ -310,7 +315,7 @@ void Simulation::fold_chunk_sums() {
   }
 }
 
-double Simulation::elastic_energy() {
+double Simulation::energy_of_pairs() {
   std::vector<double*> columns;
   const PairBatch all = whole_batch(state_, columns);
   std::vector<double> sums(chunks_.blocks());
@@ -324,7 +329,9 @@ double Simulation::elastic_energy() {
   const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
   if (!std::isfinite(sum))
     if (const auto blame = blame_energy(state_, laws_)) throw UserError(*blame);
-  return sum + wall_energy(state_);
+  return sum;
 }
+
+double Simulation::elastic_energy() { return energy_of_pairs() + wall_energy(state_); }
 
 }  // namespace breccia

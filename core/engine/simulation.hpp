@@ -64,6 +64,14 @@ class Simulation final : public LoadControl {
   /// Between a step's `advance()` and the next one's `forces()`: all that the steps to come depend on. Read into a
   /// simulation of the same packing, bonds, laws and walls, on which `prepare()` was called; any number of threads.
   void archive(Archive& archive);
+  /// After `bond()`: the particles, bonds and contacts of such a state, of the same packing, bonds and laws, for
+  /// another test. What loaded them there is gone, the clock stands at 0, the specimen is measured anew. `prepare()`
+  /// follows.
+  void take_specimen(Archive& from);
+  /// After `archive` has read what was written with other parameters or settings: the time step and the pair list are
+  /// made as these ask.
+  void adapt();
+  double energy_of_pairs();  ///< that all pairs store in the present positions [J]
 
   std::size_t add_wall(const WallSpec& spec) override;
   void set_wall_velocity(std::size_t wall, const Vec3& velocity) override;
@@ -111,7 +119,6 @@ class Simulation final : public LoadControl {
   SpectralStep spectral_;
   AddedMass added_mass_;
   bool mass_pending_ = false, look_at_all_ = false;
-  Pairs spare_pairs_;  ///< of the last rebuild: its memory is used again
   Incidence incidence_;
   Chunks chunks_;
   Partition partition_;

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What of a simulation goes into a checkpoint. What can be computed again from it, and is then the same to the last
 // bit, does not: lists by particle, chunks, shares of threads, the forces of pairs.
+#include <algorithm>
+#include <limits>
+
 #include "engine/archive_by_id.hpp"
 #include "engine/simulation.hpp"
+#include "engine/specimen.hpp"
 
 namespace breccia {
 namespace {
@@ -34,9 +38,9 @@ void archive_bonds(Archive& archive, Bonds& b, const std::vector<Index>& id, con
   archive("initial_distance", b.initial_distance);
   archive("state", b.state);
   archive("guarded", b.guarded);
-  archive("break_time", b.break_time);
-  archive("break_position", b.break_position);
-  archive("break_normal", b.break_normal);
+  archive("crack_of", b.crack_of);
+  archive.records("cracks", b.cracks, std::pair("time", &Crack::time), std::pair("position", &Crack::position),
+                  std::pair("normal", &Crack::normal));
 }
 
 void archive_pairs(Archive& archive, Pairs& q, const std::vector<Index>& id, const std::vector<Index>& row) {
@@ -120,6 +124,48 @@ void Simulation::archive(Archive& archive) {
   }
   const Archive::Group group(archive, "loads");
   loads_.archive(archive, id);
+}
+
+void Simulation::take_specimen(Archive& from) {
+  BRECCIA_ASSERT(from.reading() && rebuilds_ == 0 && state_.walls.empty());
+  State& s = state_;
+  Particles& p = s.particles;
+  const SpecimenShape packed = s.specimen;
+  const std::vector<double> mass(p.mass().begin(), p.mass().end()), inertia(p.inertia().begin(), p.inertia().end());
+  const std::vector<std::uint8_t> held = p.held;
+  archive(from);
+  // Mass may have been added for that test's time step.
+  std::copy(mass.begin(), mass.end(), p.mass().begin());
+  std::copy(inertia.begin(), inertia.end(), p.inertia().begin());
+  added_mass_ = {};
+  p.held = held;
+  p.holding_arm.clear();
+  p.applied_force.assign(p.size(), Vec3::Zero());
+  p.applied_moment.clear();
+  s.walls.clear();
+  s.wall_touches.clear();
+  s.bonds.guarded.clear();
+  guarded_pairs_.clear();
+  any_applied_ = look_at_all_ = loading_started_ = false;
+  rebuilds_ = 0;
+  for (Crack& c : s.bonds.cracks) c.time -= s.time;  // before the test: below zero
+  s.time = 0;
+  s.step = 0;
+  s.energy = {};
+  s.dissipated.assign(laws_.size(), {});
+  chunk_dissipated_.assign(chunk_dissipated_.size(), {});
+  s.cell_velocity_asked.setZero();
+  s.reference_cell = s.cell;
+  p.reference_position.assign(p.position().begin(), p.position().end());
+  s.specimen = measure_specimen(p.position(), p.radius(), packed.outline, packed.axis, s, packed.volume);
+  spectral_ = {};
+  loads_.reset(s);
+}
+
+void Simulation::adapt() {
+  critical_ = bound_ = std::numeric_limits<double>::infinity();
+  state_.positions_at_look.clear();
+  rebuild();
 }
 
 void Simulation::archive_lists(Archive& archive) {

@@ -55,7 +55,7 @@ SimulationView Simulation::view() {
   v.pairs = {s.pairs.i, s.pairs.j, s.pairs.rest_length, s.pairs.state, s.pairs.bond, s.pairs.force, s.pairs.moment, {}};
   for (const auto& c : s.pairs.columns) v.pairs.columns.emplace_back(c);
   const Bonds& b = s.bonds;
-  v.bonds = {b.i, b.j, b.initial_distance, b.state, b.break_time, b.break_position, b.break_normal, b.pair};
+  v.bonds = {b.i, b.j, b.initial_distance, b.state, b.pair, b.crack_of, b.cracks};
   wall_views_.clear();
   for (const Wall& w : s.walls)
     wall_views_.push_back(

@@ -87,10 +87,11 @@ struct Pairs {
 /// Every bond ever made, sorted by (i, j).
 struct Bonds {
   std::vector<Index> i, j, pair;
-  std::vector<double> initial_distance, break_time;  // [m], [s]
+  std::vector<double> initial_distance;  // [m]
   std::vector<BondState> state;
   std::vector<std::uint8_t> guarded;  ///< 1: must not break; empty when there are none
-  std::vector<Vec3> break_position, break_normal;
+  std::vector<Index> crack_of;        ///< row in `cracks` or BondsView::no_crack
+  std::vector<Crack> cracks;          ///< few bonds break
   std::size_t size() const { return i.size(); }
 };
 

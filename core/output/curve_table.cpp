@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -54,8 +55,13 @@ void CurveTable::end_row() {
     values_[c].push_back(current_[c]);
     current_[c] = std::numeric_limits<double>::quiet_NaN();
   }
-  write_row(rows_);
-  if (++rows_ % 20 == 0) file_->flush();
+  try {
+    write_row(rows_);
+    if (++rows_ % 20 == 0) file_->flush();
+  } catch (...) {
+    failed_ = std::current_exception();
+    throw;
+  }
 }
 
 void CurveTable::write_row(std::size_t row) {
@@ -75,17 +81,20 @@ void CurveTable::archive(Archive& archive) {
   for (const Column& c : columns_) own.push_back(header_name(c));
   names = own;
   archive("names", names);
-  if (names != own) throw UserError("the checkpoint has other curves than this run");
   for (std::size_t c = 0; c < columns_.size(); ++c) {
     if (archive.reading()) values_[c].resize(rows);
-    archive("column_" + std::to_string(c), Strided<double>(values_[c]));
+    const auto there = std::find(names.begin(), names.end(), own[c]);  // a run that branches off may measure less
+    if (there == names.end()) throw UserError("the checkpoint has no curve `" + own[c] + "`, which this run has");
+    archive("column_" + std::to_string(there - names.begin()), Strided<double>(values_[c]));
   }
   if (!archive.reading()) return;
   for (rows_ = 0; rows_ < rows; ++rows_) write_row(rows_);
   file_->flush();
 }
 
+/// A row that was written in part is not to be followed by others.
 void CurveTable::close() {
+  if (failed_) std::rethrow_exception(failed_);
   file_->commit();
   file_.reset();
 }

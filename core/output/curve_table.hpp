@@ -2,6 +2,7 @@
 /// curves.csv: one row per sample, columns from the core, the protocol and the post-processors.
 #pragma once
 
+#include <exception>
 #include <map>
 #include <memory>
 
@@ -43,6 +44,7 @@ class CurveTable final : public Recorder, public Curves {
   std::vector<double> current_;
   std::size_t rows_ = 0;
   std::unique_ptr<AtomicFile> file_;
+  std::exception_ptr failed_;  ///< why a row could not be written
 };
 
 }  // namespace breccia

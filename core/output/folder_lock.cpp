@@ -22,6 +22,13 @@ std::string holder(const std::filesystem::path& lock_file) {
   return "process " + pid + " on " + host;
 }
 
+/// Whether what is open still stands under that name.
+bool is_file(int opened, const std::filesystem::path& name) {
+  struct stat mine, there;
+  return fstat(opened, &mine) == 0 && stat(name.c_str(), &there) == 0 && mine.st_ino == there.st_ino &&
+         mine.st_dev == there.st_dev;
+}
+
 }  // namespace
 
 FolderLock::FolderLock(const std::filesystem::path& folder, Host& host) : name_(folder / ".breccia.lock") {
@@ -44,8 +51,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder, Host& host) : name_(
                         "); nothing was changed. Wait for it, or choose another with --output");
     }
     // The one who had it may have removed the file while this process was waiting for its turn.
-    struct stat mine, there;
-    if (fstat(file_, &mine) == 0 && stat(name_.c_str(), &there) == 0 && mine.st_ino == there.st_ino) break;
+    if (is_file(file_, name_)) break;
     close(file_);
   }
   char machine[256] = "an unnamed host";
@@ -57,7 +63,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder, Host& host) : name_(
 
 FolderLock::~FolderLock() {
   if (file_ < 0) return;
-  unlink(name_.c_str());  // while it is still closed to others
+  if (is_file(file_, name_)) unlink(name_.c_str());  // while it is still closed to others; not another's
   close(file_);
 }
 

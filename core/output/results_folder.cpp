@@ -2,9 +2,11 @@
 #include "output/results_folder.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <set>
 
@@ -203,6 +205,7 @@ void ResultsFolder::make_work() {
     fs::remove_all(work_);  // what a killed run left
     fs::create_directory(work_);
   }
+  hold_work();
   write_manifest(work_, rules_.kind, {}, false);
   std::error_code ignored;
   const auto& files = rules_.expected;
@@ -211,8 +214,30 @@ void ResultsFolder::make_work() {
     fs::create_symlink(fs::path(staging_name) / growing_name, folder_ / growing_name, ignored);
 }
 
+void ResultsFolder::hold_work() {
+  if (held_ >= 0) close(held_);
+  held_ = open(work_.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
+}
+
+bool ResultsFolder::is_gone() const {
+  struct stat held, there;
+  if (held_ < 0 || fstat(held_, &held) != 0) return false;
+  if (stat(work_.c_str(), &there) != 0) return errno == ENOENT || errno == ENOTDIR;
+  return held.st_ino != there.st_ino || held.st_dev != there.st_dev;
+}
+
+void ResultsFolder::refuse_if_gone() const {
+  if (!is_gone()) return;
+  throw FolderGone("the folder " + work_.string() +
+                   " was removed, renamed or replaced while results grew in it: the run ends here. Nothing more was "
+                   "written; if the folder was renamed, what there was of the results is in it");
+}
+
 ResultsFolder::~ResultsFolder() {
   std::error_code ignored;
+  const bool gone = is_gone();
+  if (held_ >= 0) close(held_);
+  if (gone) return;  // what is there by that name now is another's
   if (is_own_link(folder_ / growing_name)) fs::remove(folder_ / growing_name, ignored);
   const bool begun = fs::exists(work_ / "curves.csv", ignored) || fs::exists(work_ / growing_name, ignored);
   if (!keep_ && (done_ || !begun)) fs::remove_all(work_, ignored);
@@ -235,6 +260,7 @@ void reach_the_disk(const fs::path& folder) {
 }  // namespace
 
 void ResultsFolder::take_over(bool finished) {
+  refuse_if_gone();
   try {
     const Manifest before = read_manifest(folder_);
     std::set<std::string> files = files_in(work_);
@@ -253,6 +279,7 @@ void ResultsFolder::take_over(bool finished) {
     done_ = true;
     replaces_ = false;
     fs::create_directory(work_);
+    hold_work();
     write_manifest(work_, rules_.kind, {}, false);
   } catch (const fs::filesystem_error& e) {
     throw UserError("cannot bring the new results to " + folder_.string() + ": " + e.code().message());

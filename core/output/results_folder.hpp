@@ -16,6 +16,11 @@ struct FolderInUse : UserError {
   using UserError::UserError;
 };
 
+/// The results have no place any more.
+struct FolderGone : UserError {
+  using UserError::UserError;
+};
+
 /// A folder closed to other processes until this object goes. The lock is the system's, so that it ends with the
 /// process whatever ends that; the file `.breccia.lock` says who has it. Where the file system has no locks: a warning.
 class FolderLock {
@@ -67,6 +72,9 @@ class ResultsFolder {
   /// brought before (pictures). `finished`: these are to survive until others have finished, too. UserError, with all
   /// left as it was, if a file of the user's would be replaced.
   void take_over(bool finished);
+  /// FolderGone if `work` was removed or renamed since: what is written there by its name is lost, or lands in the
+  /// results of another run. Costs two calls of the system.
+  void refuse_if_gone() const;
   /// What is in `work` stays there, even if no curves were begun.
   void keep_work() { keep_ = true; }
   bool replaces_finished() const { return replaces_; }  ///< earlier whole results are there, and not yet replaced
@@ -75,11 +83,14 @@ class ResultsFolder {
   void check_place() const;
   void make_work();
   void take_back();
+  void hold_work();
+  bool is_gone() const;
   FolderRules rules_;
   std::filesystem::path folder_, work_;
   bool replaces_ = false, done_ = false, keep_ = false;
   std::vector<std::filesystem::path> made_folders_;
   std::unique_ptr<FolderLock> lock_;
+  int held_ = -1;  ///< `work`, so that its number in the file system is given to no other folder
 };
 
 /// Makes good what a kill has left half-way between old and new results; nothing if there is no such thing, or if a run

@@ -56,7 +56,7 @@ void SummaryTable::add(Table table, const std::string& owner) {
 void SummaryTable::write(const std::filesystem::path& folder) const {
   for (const Table& table : tables_) {
     std::error_code error;
-    std::filesystem::create_directories(folder / "tables", error);
+    std::filesystem::create_directory(folder / "tables", error);  // not the folder: it was removed for a reason
     if (error) throw UserError("cannot make the folder " + (folder / "tables").string() + ": " + error.message());
     std::string text;
     for (const Column& c : table.columns) text += (text.empty() ? "" : ",") + header_name(c);

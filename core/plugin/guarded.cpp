@@ -5,8 +5,10 @@
 
 #include <filesystem>
 #include <new>
+#include <system_error>
 
 #include "breccia/atomic_file.hpp"
+#include "plugin/out_of_memory.hpp"
 
 namespace breccia {
 
@@ -46,9 +48,13 @@ void rethrow_as_fault(const PluginId& plugin, std::string_view doing) {
   } catch (const UserError& e) {  // already written for the user
     throw said(e);
   } catch (const std::bad_alloc&) {
-    throw failed("there is not enough memory");
+    throw failed(out_of_memory());
   } catch (const std::filesystem::filesystem_error& e) {
     throw failed(fmt::format("cannot use {}: {}", e.path1().string(), e.code().message()));
+  } catch (const std::system_error& e) {
+    // A thread that cannot be had; the library's own words name a function.
+    if (e.code() != std::errc::resource_unavailable_try_again) throw failed(e.what());
+    throw failed("the system gives no more threads, or no memory for one (ulimit -u, -v, -d)");
   } catch (const std::exception& e) { throw failed(e.what()); } catch (...) {
     throw failed("it threw something that is not an exception");
   }

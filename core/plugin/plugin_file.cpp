@@ -2,6 +2,7 @@
 #include "plugin/plugin_file.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -26,6 +27,15 @@ namespace {
 constexpr std::string_view prefix = "breccia_", suffix = ".so";
 constexpr const char* rebuild = "rebuild the plugin against this Breccia's SDK";
 
+constexpr std::size_t chunk = std::size_t(1) << 16;  // of reading [bytes]
+
+FileStamp stamp_of(const fs::path& file) {
+  struct stat about {};
+  if (stat(file.c_str(), &about) != 0) return {};
+  return {std::uint64_t(about.st_dev), std::uint64_t(about.st_ino), std::uint64_t(about.st_size),
+          std::int64_t(about.st_mtim.tv_sec), std::int64_t(about.st_mtim.tv_nsec)};
+}
+
 std::vector<std::byte> read_file(const fs::path& file) {
   const auto refuse = [&](const std::string& why) {
     return UserError(fmt::format("plugin {} cannot be read: {}", file.string(), why));
@@ -40,9 +50,10 @@ std::vector<std::byte> read_file(const fs::path& file) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), &std::fclose);
   if (!stream) throw refuse(std::strerror(errno));
   std::vector<std::byte> bytes;
+  bytes.reserve(fs::file_size(file, error) + chunk);
   for (std::size_t got = 1; got > 0;) {
     const std::size_t old = bytes.size();
-    bytes.resize(old + (std::size_t(1) << 20));
+    bytes.resize(old + chunk);
     got = std::fread(bytes.data() + old, 1, bytes.size() - old, stream.get());
     bytes.resize(old + got);
   }
@@ -96,7 +107,16 @@ std::optional<PluginKey> key_of_file_name(const fs::path& file) {
   return PluginKey{middle.substr(0, dot), middle.substr(dot + 1)};
 }
 
+std::string PluginInfo::sha256() const {
+  const std::vector<std::byte> bytes = stamp_of(file) == stamp ? read_file(file) : std::vector<std::byte>();
+  if (bytes.empty() || stamp_of(file) != stamp)
+    throw UserError(fmt::format("the plugin {} was changed or removed after this program had loaded it: start again",
+                                file.string()));
+  return breccia::sha256(bytes);
+}
+
 PluginInfo inspect_plugin(const fs::path& path) {
+  const FileStamp stamp = stamp_of(path);
   const std::vector<std::byte> bytes = read_file(path);
   const std::string file = path.string();
   const ElfProbe elf(bytes, file);
@@ -132,7 +152,7 @@ PluginInfo inspect_plugin(const fs::path& path) {
         fmt::format("plugin {} has no factory in its descriptor: declare the plugin with BRECCIA_PLUGIN or "
                     "BRECCIA_CONTACT_LAW",
                     file));
-  return {key, text(offsetof(BrecciaPluginDescriptor, version)), path, sha256(bytes)};
+  return {key, text(offsetof(BrecciaPluginDescriptor, version)), path, stamp};
 }
 
 }  // namespace breccia

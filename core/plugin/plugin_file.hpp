@@ -2,6 +2,7 @@
 /// What a plugin file says of itself, read and checked without running any of its code.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,11 +15,22 @@ struct PluginKey {
   auto operator<=>(const PluginKey&) const = default;
 };
 
+/// Tells whether a file was changed or replaced since.
+struct FileStamp {
+  std::uint64_t device = 0, number = 0, size = 0;
+  std::int64_t seconds = 0, nanoseconds = 0;  ///< of the last change
+  bool operator==(const FileStamp&) const = default;
+};
+
 struct PluginInfo {
   PluginKey key;
   std::string version;  ///< the author's; shown, never compared
   std::filesystem::path file;
-  std::string sha256;  ///< of the whole file, 64 hexadecimal digits
+  FileStamp stamp;
+
+  /// Of the whole file, 64 hexadecimal digits. UserError when it is not the one that was inspected any more: what a run
+  /// says of its plugins must be what it has loaded.
+  std::string sha256() const;
 };
 
 /// The kinds that this program knows, in the order in which a workflow uses them.

@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 #include "breccia/atomic_file.hpp"
+#include "plugin/out_of_memory.hpp"
 
 namespace breccia {
 namespace fs = std::filesystem;
@@ -16,13 +19,17 @@ void CheckpointsConfig::describe(Schema<CheckpointsConfig>& s) {
       .fallback(600.0)
       .example("10 min")
       .doc(
-          "time of the clock between two checkpoints; whichever of `every`, `every_simulated`, `every_steps` comes "
-          "first");
+          "time of the clock between two checkpoints; whichever of `every`, `every_simulated`, `every_strain`, "
+          "`every_steps` comes first");
   s.param("every_simulated", &CheckpointsConfig::every_simulated)
       .unit("s")
       .above(0)
       .example("0.1 ms")
       .doc("simulated time between two checkpoints");
+  s.param("every_strain", &CheckpointsConfig::every_strain)
+      .above(0)
+      .example("0.1 %")
+      .doc("axial strain between two checkpoints, as the rows of the curves give it");
   s.param("every_steps", &CheckpointsConfig::every_steps)
       .at_least(1)
       .example("10000")
@@ -48,6 +55,7 @@ void Checkpoints::start_from(const RunProgress& now) {
 
 bool Checkpoints::due(const RunProgress& now) const {
   if (config_.every_steps && now.step - from_.step >= std::uint64_t(*config_.every_steps)) return true;
+  if (config_.every_strain && std::abs(now.strain - from_.strain) >= *config_.every_strain) return true;
   if (config_.every_simulated && now.time - from_.time >= *config_.every_simulated) return true;
   return std::chrono::duration<double>(Clock::now() - last_).count() >= config_.every;
 }
@@ -57,8 +65,19 @@ void Checkpoints::at(const RunProgress& now, bool stop) {
   if (!stop && !due(now)) return;
   try {
     save(now);
-  } catch (const UserError& e) { host_.warn(fmt::format("no checkpoint at step {}: {}", now.step, e.what())); }
+    failing_ = false;
+  } catch (const UserError& e) { missed(now, e.what()); } catch (const std::bad_alloc&) {
+    missed(now, out_of_memory());
+  }
   start_from(now);
+}
+
+/// The same disk is full at the next one, too: said once.
+void Checkpoints::missed(const RunProgress& now, const std::string& why) {
+  if (!failing_)
+    host_.warn(fmt::format("no checkpoint at step {}: {}; the run goes on, and tries again when the next ones are due",
+                           now.step, why));
+  failing_ = true;
 }
 
 void Checkpoints::save(const RunProgress& now) {
@@ -72,7 +91,7 @@ void Checkpoints::save(const RunProgress& now) {
     return;
   }
   std::error_code error;
-  fs::create_directories(folder_, error);
+  fs::create_directory(folder_, error);
   if (error) throw CannotWrite(folder_, error.value());
   writer->commit(folder_ / checkpoint_name(now.step));
   const auto there = checkpoints_in(folder_);

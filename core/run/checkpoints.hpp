@@ -14,6 +14,7 @@ namespace breccia {
 struct RunProgress {
   double time = 0;  ///< simulated [s]
   std::uint64_t step = 0;
+  double strain = 0;  ///< axial, of the last row of the curves
 };
 
 class Checkpoints {
@@ -32,6 +33,7 @@ class Checkpoints {
   using Clock = std::chrono::steady_clock;
   bool due(const RunProgress& now) const;
   void save(const RunProgress& now);
+  void missed(const RunProgress& now, const std::string& why);
 
   CheckpointsConfig config_;
   std::filesystem::path folder_;
@@ -39,7 +41,7 @@ class Checkpoints {
   Host& host_;
   Clock::time_point last_ = Clock::now();
   RunProgress from_;
-  bool impossible_ = false;
+  bool impossible_ = false, failing_ = false;
 };
 
 }  // namespace breccia

@@ -158,6 +158,10 @@ void ChecksConfig::describe(Schema<ChecksConfig>& s) {
       .doc(
           "warns when the unbalanced force ratio (mean resultant on a particle over mean contact force) exceeds this "
           "while the load rises from 10 to 90 % of its peak: the test is not quasi-static; very large: never");
+  s.param("flown_off", &ChecksConfig::flown_off)
+      .above(0)
+      .fallback(1.0)
+      .doc("warns when particles end farther outside the specimen than this many times its length; very large: never");
 }
 
 void check_specimen(const SimulationView& view, double porosity, const ChecksConfig& limits, Host& host) {

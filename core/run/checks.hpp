@@ -14,7 +14,7 @@ struct ChecksConfig {
   bool negative_porosity;
   double deep_overlap, wide_gap, bond_share, unbonded_share, stray_growth;  // of the specimen before the first step
   double time_step_ratio;
-  double wall_overlap, pair_overlap, wall_speed, unbalanced_force;  // while it is loaded
+  double wall_overlap, pair_overlap, wall_speed, unbalanced_force, flown_off;  // while it is loaded
   static void describe(Schema<ChecksConfig>& s);
 };
 

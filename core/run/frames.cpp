@@ -26,7 +26,7 @@ void Frames::begin(const std::filesystem::path& folder, Host& host) {
     if (s.output.is_named()) {
       own /= s.output.label();
       std::error_code error;
-      std::filesystem::create_directories(own, error);
+      std::filesystem::create_directory(own, error);
       if (error) throw CannotWrite(own, error.value());
     }
     s.output.call("beginning its files", [&](Output& o) { o.begin(own, host); });

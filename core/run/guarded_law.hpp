@@ -62,6 +62,9 @@ class GuardedLaw final : public ContactLaw {
   void energy(const PairChunk& chunk, double* const* history, double* of_pair) override {
     keep("giving energies", [&] { law_->energy(chunk, history, of_pair); });
   }
+  ContactForce answer(const PairChunk& chunk, std::size_t k, double* const* history) override {
+    return call("giving forces", [&] { return law_->answer(chunk, k, history); });
+  }
 
   /// Throws what the law has thrown in calls of the engine.
   void check() {

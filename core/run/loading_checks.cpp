@@ -20,6 +20,41 @@ double fastest_boundary(const State& s) {
   return fastest;
 }
 
+/// Those that have left are no part of what is measured, and yet in all sums.
+void look_for_flown_off(const State& s, double limit, Host& host) {
+  const std::size_t n = s.particles.size();
+  if (s.cell.repeats() || n < 8) return;
+  Vec3 middle;
+  double length = 0;
+  std::vector<double> x(n);
+  for (int k = 0; k < 3; ++k) {
+    for (std::size_t a = 0; a < n; ++a) x[a] = s.particles.position()[a][k];
+    const auto at = [&](std::size_t rank) {
+      std::nth_element(x.begin(), x.begin() + std::ptrdiff_t(rank), x.end());
+      return x[rank];
+    };
+    const double low = at(n / 4), high = at(n - 1 - n / 4);  // half of them; the whole is twice as long
+    middle[k] = (low + high) / 2;
+    length = std::max(length, 2 * (high - low));
+  }
+  std::size_t flown = 0, farthest = 0;
+  double most = 0;
+  for (std::size_t a = 0; a < n; ++a) {
+    const double off = (s.particles.position()[a] - middle).cwiseAbs().maxCoeff();
+    flown += off > (0.5 + limit) * length;
+    if (off > most) {
+      most = off;
+      farthest = a;
+    }
+  }
+  if (flown > 0)
+    host.warn(fmt::format(
+        "{} of {} particles have flown off: particle {} of the packing, the farthest, is {:.3g} m from the middle of "
+        "the "
+        "specimen, which is {:.3g} m long. Kinetic energy, volumes and strains of the whole are measured with them",
+        flown, n, s.particles.id[farthest], most, length));
+}
+
 }  // namespace
 
 void check_time_step(Simulation& simulation, const ChecksConfig& limits, Host& host) {
@@ -111,6 +146,7 @@ void LoadingChecks::finish(const Simulation& simulation, double peak, Host& host
                     "{:.3g} (the limit is {:.3g}): strength and moduli contain inertia; lower the velocity of the "
                     "platens, or raise the damping",
                     most, limits_.unbalanced_force));
+  look_for_flown_off(simulation.state(), limits_.flown_off, host);
 }
 
 void LoadingChecks::archive(Archive& archive) {

@@ -185,7 +185,7 @@ PackingOutcome obtain_packing(const Registry& registry, const PluginChoice& choi
                               const fs::path& cache_folder, Host& host) {
   const auto packing = registry.create<Packing>(choice);
   refuse_what_cannot_be(*packing, choice.type, request);
-  Json key = {{"plugin", registry.info(Packing::kind, choice.type).sha256},
+  Json key = {{"plugin", registry.info(Packing::kind, choice.type).sha256()},
               {"type", choice.type},
               {"config", choice.config},
               {"seed", request.seed},

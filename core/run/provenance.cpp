@@ -12,7 +12,7 @@ Json provenance_of(const Workflow& w, const Registry& registry, const std::strin
   Json provenance = {{"breccia", BRECCIA_VERSION}, {"packing_content", packing}};
   const auto add = [&](const char* kind, const std::string& name) {
     const PluginInfo& info = registry.info(kind, name);
-    provenance["plugins"][std::string(kind) + "/" + name] = info.version + " " + info.sha256;
+    provenance["plugins"][std::string(kind) + "/" + name] = info.version + " " + info.sha256();
   };
   add("packing", w.packing.type);
   for (const PluginChoice& c : w.contact_law.plugins) add("contact_law", c.type);
@@ -20,12 +20,14 @@ Json provenance_of(const Workflow& w, const Registry& registry, const std::strin
   for (const PluginChoice& c : w.postprocessors) add("postprocessor", c.type);
   for (const PluginChoice& c : w.outputs) add("output", c.type);
   for (const PluginChoice& c : w.renderers) add("renderer", c.type);
+  const auto add_file = [&](const std::filesystem::path& file) {
+    const std::string bytes = read_bytes(file);
+    provenance["files"][valid_utf8(file.string())] = sha256(std::as_bytes(std::span(bytes)));
+  };
   if (w.material_of && w.material_of->regions)
     for (const RegionConfig& r : *w.material_of->regions)
-      if (r.mesh) {
-        const std::string bytes = read_bytes(r.mesh->file);
-        provenance["files"][valid_utf8(r.mesh->file.string())] = sha256(std::as_bytes(std::span(bytes)));
-      }
+      if (r.mesh) add_file(r.mesh->file);
+  if (w.from) add_file(w.from->checkpoint);
   return provenance;
 }
 

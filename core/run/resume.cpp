@@ -40,11 +40,7 @@ ResumePoint find_resume_point(const fs::path& folder, Host& host) {
         passed_over = e.what();
         continue;
       }
-      if (point.about.sdk_abi != BRECCIA_SDK_ABI)
-        throw UserError(fmt::format(
-            "the checkpoint {} was written with the SDK {} (breccia {}), this program has {}: only a program of the "
-            "same build goes on from it",
-            file.string(), point.about.sdk_abi, point.about.program, BRECCIA_SDK_ABI));
+      refuse_other_sdk(point.about, file);
       if (text_of(point.resolved) != point.about.resolved)
         throw UserError(
             fmt::format("{} is not the workflow that the checkpoint {} was written by: it was changed, or is "
@@ -57,6 +53,14 @@ ResumePoint find_resume_point(const fs::path& folder, Host& host) {
       fmt::format("there is no {}checkpoint in {}: a run writes them to the folder of its results, see "
                   "`checkpoints` of a workflow",
                   passed_over.empty() ? "" : "usable ", folder.string()));
+}
+
+void refuse_other_sdk(const CheckpointAbout& about, const fs::path& file) {
+  if (about.sdk_abi != BRECCIA_SDK_ABI)
+    throw UserError(fmt::format(
+        "the checkpoint {} was written with the SDK {} (breccia {}), this program has {}: only a program of the "
+        "same build goes on from it",
+        file.string(), about.sdk_abi, about.program, BRECCIA_SDK_ABI));
 }
 
 void refuse_changes(const CheckpointAbout& about, const Json& provenance, bool accepted, Host& host) {

@@ -32,6 +32,9 @@ struct ResumePoint {
 /// resolved.yaml beside it states, or when it was made with another SDK.
 ResumePoint find_resume_point(const std::filesystem::path& folder, Host& host);
 
+/// UserError when it was written by a program of another SDK.
+void refuse_other_sdk(const CheckpointAbout& about, const std::filesystem::path& file);
+
 /// UserError when something that made the checkpoint has changed since, `accepted` changes of plugins but said.
 void refuse_changes(const CheckpointAbout& about, const Json& provenance, bool accepted, Host& host);
 

@@ -17,7 +17,13 @@
 #include "engine/simulation.hpp"
 #include "engine/specimen.hpp"
 #include "output/curve_table.hpp"
+#include "output/results_folder.hpp"
 #include "output/summary_table.hpp"
+<<<<<<< HEAD
+#include "run/branch.hpp"
+=======
+#include "plugin/out_of_memory.hpp"
+>>>>>>> ae70e64 (A run that cannot go on says what it leaves, and a folder that was removed is noticed at once)
 #include "run/checkpoints.hpp"
 #include "run/checks.hpp"
 #include "run/columns.hpp"
@@ -31,6 +37,7 @@
 #include "run/render.hpp"
 #include "run/run_summary.hpp"
 #include "run/scatter_summary.hpp"
+#include "run/threads.hpp"
 #include "run/warning_log.hpp"
 
 namespace breccia {
@@ -59,20 +66,22 @@ class Run {
 
   RunOutcome operator()() {
     const auto start = Clock::now();
+    refuse_without_threads(monitor_.threads());
     if (options_.resume) (*options_.resume->checkpoint)("warnings", monitor_);  // what was said is not said again
     for (const std::string& doubt : doubts_) monitor_.warn(doubt);
     places_.placing([&] {
       create_plugins();
       build();
     });
-    write_resolved();
+    write_file(options_.folder / "resolved.yaml", about_.resolved);
     loop();
     finish();
+    refuse_if_gone();
     write_summary(seconds_since(start));  // whole before the pictures, which may take long or be interrupted
     const std::filesystem::path results =
         options_.whole ? options_.whole(interrupted_ || !failure_.empty()) : options_.folder;
     draw(results);
-    write_summary(seconds_since(start));
+    add_to_summary(seconds_since(start));
     return {summary_.json(), interrupted_, failure_};
   }
 
@@ -91,23 +100,23 @@ class Run {
     packing_ = obtain_packing(registry_, w_.packing, w_.packing_request(), options_.packing_cache, monitor_);
     monitor_.info(fmt::format("packing `{}`: {} particles{}", w_.packing.type, packing_.particles.position.size(),
                               packing_.from_cache ? " (kept from an earlier run)" : ""));
+    memory_is_for(packing_.particles.position.size(), 0);
     for (const AskedGot& line : packing_.particles.report) monitor_.info(asked_got_text(line));
     if (options_.resume)
       refuse_changes(options_.resume->about, provenance_of(w_, registry_, packing_.hash),
                      options_.accept_changed_plugins, monitor_);
-    EngineSettings settings;
-    settings.damping = {w_.damping.translational, w_.damping.rotational};
-    settings.time_step = w_.engine.time_step;
-    settings.safety = w_.engine.time_step_safety;
-    settings.added_mass = w_.engine.added_mass;
-    settings.skin = w_.engine.skin;
-    settings.threads = monitor_.threads();
+    resolve();
+    if (w_.from)
+      branch_.emplace(Beginner{w_, places_, about_.resolved, config_["provenance"], packing_.particles, registry_,
+                               options_.accept_changed_plugins},
+                      monitor_);
     laws_->within([&] {
       simulation_ = std::make_unique<Simulation>(
           assemble(packing_.particles, w_.materials_of(packing_.particles), dimension, w_.thickness),
-          laws_->interactions(), settings);
+          laws_->interactions(), w_.engine_settings(monitor_.threads()));
       bonding_ = simulation_->bond(w_.bonding.rule());
     });
+    memory_is_for(simulation_->state().particles.size(), simulation_->state().bonds.size());
     const bool relative = bonding_.measure == GapMeasure::relative;
     monitor_.info(fmt::format(
         "{} bonds: coordination number {:.4f}, {}", simulation_->state().bonds.size(), bonding_.coordination_number,
@@ -118,19 +127,23 @@ class Run {
       for (const DrawnParameter& drawn : drawn_.back()) monitor_.info("  " + drawn.text());
     }
     check_specimen(view, packing_porosity(), w_.checks, monitor_);
-    laws_->within(
-        [&] { time_column_ = add_columns(view, *simulation_, *protocol_, protocol_id(), posts_, curves_, monitor_); });
+    if (branch_ && !branch_->goes_on()) begin_on_specimen();
+    laws_->within([&] {
+      time_column_ =
+          add_columns(simulation_->view(), *simulation_, *protocol_, protocol_id(), posts_, curves_, monitor_);
+    });
     frames_->begin(options_.folder, monitor_);
     laws_->within([&] {
       simulation_->prepare();
       check_time_step(*simulation_, w_.checks, monitor_);
     });
+    find_strain();
     loading_checks_.emplace(w_.checks);
     curves_.open(options_.folder / "curves.csv");
   }
 
   /// The full input, and what made the result: running it again gives the same bits.
-  void write_resolved() {
+  void resolve() {
     const Json provenance = provenance_of(w_, registry_, packing_.hash);
     if (!options_.resume)
       for (const std::string& change : changes_since(w_.provenance, provenance)) monitor_.warn(change);
@@ -141,7 +154,25 @@ class Run {
               "# The full input of this run, defaults included; run it again for the same result.\n" +
                   write_yaml(config_, workflow_schema(), registry_),
               provenance.dump(-1, ' ', false, Json::error_handler_t::replace), BRECCIA_SDK_ABI};
-    write_file(options_.folder / "resolved.yaml", about_.resolved);
+  }
+
+  void begin_on_specimen() {
+    monitor_.info(branch_->text());
+    const Archive::Group engine(branch_->archive(), "engine");
+    laws_->within([&] { simulation_->take_specimen(branch_->archive()); });
+  }
+
+  void find_strain() {
+    for (const char* name : {"axial_strain", "platen_strain"})
+      for (std::size_t c = 0; !strain_name_ && c < curves_.columns().size(); ++c)
+        if (curves_.columns()[c].name == name) strain_name_ = name;
+    if (w_.checkpoints.every_strain && !strain_name_)
+      throw AtPath("checkpoints.every_strain",
+                   "checkpoints.every_strain: this workflow has no curve `axial_strain` or `platen_strain`");
+  }
+  RunProgress progress() const {
+    const bool known = w_.checkpoints.every_strain && curves_.rows() > 0;
+    return {simulation_->time(), simulation_->state().step, known ? curves_.column(*strain_name_).back() : 0};
   }
 
   void loop() {
@@ -153,18 +184,21 @@ class Run {
     Checkpoints checkpoints(
         w_.checkpoints, options_.folder, [&](Archive& to) { return archive(to); }, monitor_);
     if (options_.resume) go_on();
+    else if (branch_) enter_branch();
+    branch_.reset();  // with the file
     first_step_ = sim.state().step;
-    checkpoints.start_from({sim.time(), first_step_});
+    checkpoints.start_from(progress());
     try {
       for (;;) {
         const bool cancelled = monitor_.cancelled();
-        checkpoints.at({sim.time(), sim.state().step}, cancelled || (w_.checkpoints.at_end && loading.ends()));
+        checkpoints.at(progress(), cancelled || (w_.checkpoints.at_end && loading.ends()));
         auto start = Clock::now();
         in_row_ = false;
         const LoadingStep now = loading.step(cancelled);
         loop_seconds_ += seconds_since(start);
         if (now.row) {
           in_row_ = true;
+          refuse_if_gone();
           laws_->within([&] { sample(now.begins); });
           if (now.ends || !failure_.empty()) {
             interrupted_ = cancelled && failure_.empty();
@@ -177,8 +211,18 @@ class Run {
       }
       loading.warn_of_missed_peak(monitor_);
       loading_checks_->finish(sim, loading.peak(), monitor_);
-    } catch (const PluginFault& e) { fail(e); }
-    viewable_ = complete_step();
+    } catch (const FolderGone&) { throw; } catch (const PluginFault& e) {
+      fail(e);
+    } catch (const UserError& e) {
+      if (curves_.rows() == 0) throw;  // nothing is lost
+      fail(e);
+    } catch (const std::bad_alloc&) {
+      if (curves_.rows() == 0) throw;
+      fail(UserError(out_of_memory()));
+      intact_ = false;
+    }
+    refuse_if_gone();
+    viewable_ = intact_ && complete_step();
     if (viewable_) attempt([&] { frames_->at(sim.view(), true); });
     attempt([&] { frames_->finish(); });
     curves_.close();
@@ -189,6 +233,13 @@ class Run {
     std::vector<std::string> unknown;
     if (!to.reading()) to("about", about_);
     if (!to.reading()) to("warnings", monitor_);
+    archive_test(to, unknown);
+    archive_measured(to, unknown);
+    frames_->archive(to, unknown);
+    return unknown;
+  }
+
+  void archive_test(Archive& to, std::vector<std::string>& unknown) {
     to("engine", *simulation_);
     to("loading", *loading_);
     {
@@ -197,6 +248,10 @@ class Run {
         if (!protocol_->archive(to)) unknown.push_back("protocol `" + w_.protocol.type + "`");
       });
     }
+    to("loading_checks", *loading_checks_);
+  }
+
+  void archive_measured(Archive& to, std::vector<std::string>& unknown) {
     {
       const Archive::Group posts(to, "postprocessors");
       for (auto& p : posts_) {
@@ -204,11 +259,31 @@ class Run {
         p.archive(to, unknown);
       }
     }
-    frames_->archive(to, unknown);
     to("curves", curves_);
     to("energy_check", energy_check_);
-    to("loading_checks", *loading_checks_);
-    return unknown;
+  }
+
+  void enter_branch() {
+    if (branch_->goes_on()) monitor_.info(branch_->text());
+    for (const std::string& d : branch_->differences()) monitor_.info("  " + d);
+    if (!branch_->goes_on()) return;
+    std::vector<std::string> unknown;
+    const std::size_t walls = simulation_->state().walls.size();
+    archive_test(branch_->archive(), unknown);
+    if (branch_->measured()) {
+      archive_measured(branch_->archive(), unknown);
+      branch_->archive()("warnings", monitor_);  // of what is measured they are a part
+    }
+    if (!unknown.empty())
+      throw UserError("the checkpoint cannot be used: " + unknown.front() + " does not say what changes in it");
+    if (const std::size_t there = simulation_->state().walls.size(); there != walls)
+      throw UserError(places_.with_place(
+          "protocol", fmt::format("protocol: with these values the test has {} walls, that of the checkpoint {}: it "
+                                  "cannot go on; from.protocol: new begins one of its own",
+                                  walls, there)));
+    if (!branch_->needs_adapting()) return;
+    laws_->within([&] { simulation_->adapt(); });
+    monitor_.info(step_text(*simulation_, w_.engine.time_step, monitor_.threads()));
   }
 
   void go_on() {
@@ -230,6 +305,7 @@ class Run {
 
   /// What was measured so far is kept, and says so.
   void fail(const UserError& e) {
+    if (failure_ == e.what()) return;  // it is no other one for being met again
     if (failure_.empty()) failure_ = e.what();
     monitor_.warn(e.what());
   }
@@ -237,7 +313,7 @@ class Run {
   void attempt(F&& f) {
     try {
       f();
-    } catch (const PluginFault& e) { fail(e); }
+    } catch (const UserError& e) { fail(e); }
   }
 
   /// Whether there is a state to be viewed; after a plugin's fault in the middle of a step it takes one more, unless
@@ -326,6 +402,21 @@ class Run {
     }
   }
 
+  void refuse_if_gone() const {
+    if (options_.refuse_if_gone) options_.refuse_if_gone();
+  }
+
+  /// What came after the results were whole. They are so without it.
+  void add_to_summary(double wall_seconds) {
+    refuse_if_gone();
+    try {
+      write_summary(wall_seconds);
+    } catch (const UserError& e) {
+      monitor_.warn(
+          fmt::format("the results are whole, but their summary does not have the last warnings: {}", e.what()));
+    }
+  }
+
   PluginId protocol_id() const { return {Protocol::kind, w_.protocol.type}; }
 
   /// The summary as it stands; what grows until the end of the run is set anew.
@@ -375,11 +466,14 @@ class Run {
   std::optional<LoadingChecks> loading_checks_;
   std::optional<Loading> loading_;
   CheckpointAbout about_;
+  std::optional<Branch> branch_;
+  std::optional<std::string> strain_name_;  ///< of the curve
   std::size_t time_column_ = 0;
   double loop_seconds_ = 0;
   std::uint64_t first_step_ = 0;  ///< of this process: 0 unless the run went on
   bool interrupted_ = false;
   bool in_row_ = false, viewable_ = true;  ///< the present step is a row; there is a state to be viewed
+  bool intact_ = true;                     ///< nothing was interrupted while it changed the state
   std::string failure_;
 };
 

@@ -36,6 +36,8 @@ struct RunOptions {
   std::function<std::filesystem::path(bool interrupted)> whole = {};
   ResumePoint* resume = nullptr;  ///< goes on from there; `folder` holds what the run had written
   bool accept_changed_plugins = false;
+  /// Called before anything is written under way; throws what ends the run at once. Optional.
+  std::function<void()> refuse_if_gone = {};
 };
 
 struct RunOutcome {

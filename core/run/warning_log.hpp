@@ -26,7 +26,13 @@ class WarningLog : public Monitor {
   bool cancelled() const override { return to_.cancelled(); }
   int threads() const override { return to_.threads(); }
   const std::vector<std::string>& warnings() const { return warnings_; }
-  void archive(Archive& archive) { archive("warnings", warnings_); }
+  /// What is read goes before what was said here.
+  void archive(Archive& archive) {
+    const std::vector<std::string> own = warnings_;
+    archive("warnings", warnings_);
+    for (const std::string& w : own)
+      if (std::find(warnings_.begin(), warnings_.end(), w) == warnings_.end()) warnings_.push_back(w);
+  }
 
  protected:
   Monitor& to_;

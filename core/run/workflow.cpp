@@ -15,6 +15,7 @@
 #include "config/result_name.hpp"
 #include "config/suggest.hpp"
 #include "plugin/guarded.hpp"
+#include "run/branch.hpp"
 #include "run/columns.hpp"
 #include "run/contact_laws.hpp"
 #include "run/packing_cache.hpp"
@@ -193,6 +194,17 @@ PackingRequest Workflow::packing_request() const {
   return request;
 }
 
+EngineSettings Workflow::engine_settings(int threads) const {
+  EngineSettings settings;
+  settings.damping = {damping.translational, damping.rotational};
+  settings.time_step = engine.time_step;
+  settings.safety = engine.time_step_safety;
+  settings.added_mass = engine.added_mass;
+  settings.skin = engine.skin;
+  settings.threads = threads;
+  return settings;
+}
+
 void Workflow::describe(Schema<Workflow>& s) {
   const Json none = Json::array(), defaults = Json::object();
   s.summary("A bonded-particle simulation");
@@ -242,6 +254,11 @@ void Workflow::describe(Schema<Workflow>& s) {
   s.param("checkpoints", &Workflow::checkpoints)
       .fallback(defaults)
       .doc("states of the run from which `breccia run --resume` goes on, with the same results to the last bit");
+  s.param("from", &Workflow::from)
+      .doc(
+          "begins where another run stood, with its particles, bonds and contacts: one specimen, several tests. "
+          "Packing, bonds, materials and the types of the laws must be the same; parameters of the laws may differ "
+          "where bonds and contacts keep nothing of them");
   s.param("checks", &Workflow::checks)
       .fallback(defaults)
       .doc("from where on input, or what becomes of it, is called almost surely wrong: warnings, no part of the test");
@@ -342,7 +359,13 @@ LoadedWorkflow loaded_from(Json config, Places places, const BaseChain& chain, c
   Workflow::describe(schema);
   loaded.workflow = schema.load(loaded.config);
   loaded.places = std::move(places);
-  loaded.places.placing([&] { try_plugins(loaded.workflow, registry); });
+  loaded.places.placing([&] {
+    if (auto& from = loaded.workflow.from) {
+      from->checkpoint = checkpoint_of(from->checkpoint);
+      loaded.config["from"]["checkpoint"] = from->checkpoint.string();
+    }
+    try_plugins(loaded.workflow, registry);
+  });
   if (loaded.workflow.checks.implausible_values)
     for (const auto& [path, text] : implausible_values(loaded.config, workflow_schema(), registry))
       loaded.warnings.push_back(loaded.places.with_place(path, text));
@@ -381,6 +404,13 @@ LoadedWorkflow load_workflow(const BaseChain& chain, const ValuesOnTop& on_top, 
   Places places;
   Json config = read_config(chain, workflow_schema(), registry, on_top, rules, &places);
   return loaded_from(std::move(config), std::move(places), chain, registry, {}, on_top.variant);
+}
+
+LoadedWorkflow load_resolved(const std::string& text, const fs::path& file, const Registry& registry) {
+  const BaseChain chain = follow_bases(text, file.string());
+  Places places;
+  Json config = read_config(chain, workflow_schema(), registry, std::vector<std::string>(), rules, "", &places);
+  return loaded_from(std::move(config), std::move(places), chain, registry);
 }
 
 }  // namespace breccia

@@ -47,10 +47,20 @@ struct SamplingConfig {
 struct CheckpointsConfig {
   double every;  // [s]
   std::optional<double> every_simulated;
+  std::optional<double> every_strain;
   std::optional<long> every_steps;
   long keep;
   bool at_end;
   static void describe(Schema<CheckpointsConfig>& s);
+};
+
+enum class BranchProtocol { go_on, begin };
+
+/// `from`: the run begins where another one stood.
+struct BranchConfig {
+  std::filesystem::path checkpoint;  ///< once the workflow is loaded: a file
+  std::optional<BranchProtocol> protocol;
+  static void describe(Schema<BranchConfig>& s);
 };
 
 struct Workflow {
@@ -70,6 +80,7 @@ struct Workflow {
   EngineConfig engine;
   SamplingConfig sampling;
   CheckpointsConfig checkpoints;
+  std::optional<BranchConfig> from;
   ChecksConfig checks;
   std::vector<PluginChoice> postprocessors, outputs, renderers;
   Json reference, provenance;
@@ -79,6 +90,7 @@ struct Workflow {
   Materials materials_of(const PackedParticles& packing) const;  ///< and which particle is of which
   Space space() const { return {int(dimension), thickness}; }    ///< how it repeats itself the packing says
   PackingRequest packing_request() const;
+  EngineSettings engine_settings(int threads) const;
   static void describe(Schema<Workflow>& s);
 };
 
@@ -105,5 +117,8 @@ std::vector<std::string> workflow_variants(const std::filesystem::path& file);
 
 /// The same of a chain whose plugins have been added, with the values of a study in it.
 LoadedWorkflow load_workflow(const BaseChain& chain, const ValuesOnTop& on_top, const Registry& registry);
+
+/// The text of a resolved.yaml that stands in the file of that name; its plugins are known already.
+LoadedWorkflow load_resolved(const std::string& text, const std::filesystem::path& file, const Registry& registry);
 
 }  // namespace breccia

@@ -79,6 +79,10 @@ constexpr const char* all_posts =
     "{type: damage}, {type: bond_statistics}, {type: fabric}, {type: energy}, "
     "{type: gauges}, {type: statistics}, {type: contact_stress}]\n";
 
+/// One of the cases has them: they are made from the other files.
+const std::string pictures =
+    fs::exists(BRECCIA_BINARY_DIR "/lib/breccia/breccia_renderer.pictures.so") ? "renderers: [{type: pictures}]\n" : "";
+
 std::vector<Case> cases() {
   const std::string end = std::string(all_posts) + outside;
   const std::string no_strain = std::string(
@@ -100,7 +104,7 @@ std::vector<Case> cases() {
            end},
       {"law_with_damage", std::string(spheres) + damage_law +
                               "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, max_strain: 0.3 %}\n" +
-                              end},
+                              pictures + end},
       {"triaxial_compression", std::string(spheres) + strong +
                                    "protocol: {type: triaxial_compression, platen_velocity: 1 m/s, stages: "
                                    "[{confining_pressure: 0.5 MPa}, {axial_strain: 0.2 %}, {hold_time: 5 us}, "

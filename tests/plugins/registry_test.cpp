@@ -92,7 +92,7 @@ TEST_F(RegistryTest, TellsWhereAPluginComesFrom) {
   EXPECT_EQ(info.key, (PluginKey{"output", "tiny"}));
   EXPECT_EQ(info.version, "unversioned");
   const std::string bytes = built("tiny_output");
-  EXPECT_EQ(info.sha256, sha256(std::as_bytes(std::span(bytes))));
+  EXPECT_EQ(info.sha256(), sha256(std::as_bytes(std::span(bytes))));
 }
 
 TEST_F(RegistryTest, AnUnknownNameGetsASuggestionTheKnownOnesAndThePlaces) {

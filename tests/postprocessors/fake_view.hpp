@@ -31,7 +31,9 @@ struct FakeSimulation {
   std::vector<PairForce> force;
 
   std::vector<Index> bond_i, bond_j, bond_pair;
-  std::vector<double> initial_distance, break_time;
+  std::vector<double> initial_distance;
+  std::vector<Index> crack_of;
+  std::vector<Crack> cracks;
   std::vector<BondState> bond_state;
 
   std::vector<WallContact> wall_contacts;
@@ -65,13 +67,14 @@ struct FakeSimulation {
     bond_j.push_back(j);
     bond_pair.push_back(Index(pair));
     initial_distance.push_back(rest_length[pair]);
-    break_time.push_back(-1);
+    crack_of.push_back(BondsView::no_crack);
     bond_state.push_back(BondState::intact);
     return bond_i.size() - 1;
   }
   void break_bond(std::size_t bond, BondState how) {
     bond_state[bond] = how;
-    break_time[bond] = 1;
+    crack_of[bond] = Index(cracks.size());
+    cracks.push_back({1, position[bond_i[bond]], (position[bond_j[bond]] - position[bond_i[bond]]).normalized()});
     pair_state[bond_pair[bond]] = how;
   }
   void set_force(std::size_t pair, const Vec3& on_i) {
@@ -99,7 +102,8 @@ struct FakeSimulation {
     v.bonds.j = bond_j;
     v.bonds.pair = bond_pair;
     v.bonds.initial_distance = initial_distance;
-    v.bonds.break_time = break_time;
+    v.bonds.crack_of = crack_of;
+    v.bonds.cracks = cracks;
     v.bonds.state = bond_state;
     v.wall_contacts = wall_contacts;
     v.specimen = specimen;

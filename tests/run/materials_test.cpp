@@ -163,9 +163,10 @@ std::vector<double> chain_strengths(int chains, int bonds, std::uint64_t seed) {
   std::vector<double> strength(std::size_t(chains), -1.0);
   const State& state = s.simulation.state();
   for (std::size_t b = 0; b < state.bonds.size(); ++b) {
-    if (state.bonds.break_time[b] < 0) continue;
+    if (state.bonds.crack_of[b] == BondsView::no_crack) continue;
+    const double time = state.bonds.cracks[state.bonds.crack_of[b]].time;
     const std::size_t c = state.particles.id[state.bonds.i[b]] / std::size_t(bonds + 1);
-    const double at = stiffness * speed * state.bonds.break_time[b] / bonds / area;
+    const double at = stiffness * speed * time / bonds / area;
     if (strength[c] < 0 || at < strength[c]) strength[c] = at;
   }
   return strength;

@@ -32,6 +32,7 @@ class Wrong final : public ContactLaw {
       out.fz[k] = f.z();
     }
   }
+  ContactForce answer(const PairChunk&, std::size_t, double* const*) override { return {}; }
   void stiffness(const PairChunk& c, double* const*, ContactStiffness* out) override {
     for (std::size_t k = 0; k < c.size; ++k) out[k] = {stated, 0, 0, 0};
   }

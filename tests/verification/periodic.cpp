@@ -129,7 +129,8 @@ TEST(Periodic, AChainAcrossTheBoundaryKnowsNoBoundary) {
   }
   strain(b, 20 * rate, 200);
   for (const BondState state : s.bonds.state) EXPECT_EQ(state, BondState::broken_tension);
-  for (const double t : s.bonds.break_time) EXPECT_EQ(t, s.bonds.break_time[0]) << "all at once";
+  ASSERT_EQ(s.bonds.cracks.size(), s.bonds.size());
+  for (const Crack& c : s.bonds.cracks) EXPECT_EQ(c.time, s.bonds.cracks[0].time) << "all at once";
 }
 
 /// Random block, sheared and shortened until bonds break, with damping.

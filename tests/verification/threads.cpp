@@ -40,7 +40,7 @@ void expect_same_bits(const Json& law, const std::string& name) {
     for (std::size_t c = 0; c < one.pairs.columns.size(); ++c)
       EXPECT_TRUE(same_bits(one.pairs.columns[c], many.pairs.columns[c])) << threads << " threads, column " << c;
     EXPECT_TRUE(same_bits(one.pairs.moment, many.pairs.moment)) << threads;
-    EXPECT_TRUE(same_bits(one.bonds.break_time, many.bonds.break_time)) << threads;
+    EXPECT_TRUE(same_bits(one.bonds.cracks, many.bonds.cracks)) << threads;
     EXPECT_TRUE(std::memcmp(&one.energy, &many.energy, sizeof one.energy) == 0) << threads;
   }
 }

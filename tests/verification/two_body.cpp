@@ -72,7 +72,7 @@ void break_in_tension(const Model& m, int dimension) {
   EXPECT_EQ(b->state().bonds.state[0], BondState::broken_tension);
   b->forces();
   EXPECT_EQ(b->state().particles.force()[0].norm(), 0) << "a broken bond pulls no more";
-  EXPECT_NEAR(b->state().bonds.break_normal[0].x(), 1, 1e-12);
+  EXPECT_NEAR(b->state().bonds.cracks.at(0).normal.x(), 1, 1e-12);
 }
 
 TEST_P(EachModel, TensionBreaksAtItsStrengthAndNotBefore) {

@@ -44,7 +44,7 @@ class Specimen {
     v.time = time;
     v.particles = {position_, velocity_, spin_, initial_, force_, spin_, {}, {}, radius_, mass_, {}, id_, {}};
     v.pairs = {pair_i_, pair_j_, pair_length_, pair_state_, pair_bond_, pair_force_, {}, {}};
-    v.bonds = {bond_i_, bond_j_, bond_length_, bond_state_, break_time_, break_position_, break_normal_, bond_pair_};
+    v.bonds = {bond_i_, bond_j_, bond_length_, bond_state_, bond_pair_, crack_of_, cracks_};
     v.walls = walls_;
     v.specimen = shape_;
     return v;
@@ -109,9 +109,10 @@ class Specimen {
       bond_length_.push_back(d.norm());
       const bool shear = chance * 7 - std::floor(chance * 7) < 0.25;
       bond_state_.push_back(!breaks ? BondState::intact : shear ? BondState::broken_shear : BondState::broken_tension);
-      break_time_.push_back(breaks ? 1e-3 + 6e-4 * chance + 0.02 * std::abs(off) : -1);
-      break_position_.push_back(breaks ? Vec3(initial_[i] + d * radius_[i] / (radius_[i] + radius_[j])) : Vec3::Zero());
-      break_normal_.push_back(breaks ? Vec3(d.normalized()) : Vec3::Zero());
+      crack_of_.push_back(breaks ? Index(cracks_.size()) : BondsView::no_crack);
+      if (breaks)
+        cracks_.push_back({1e-3 + 6e-4 * chance + 0.02 * std::abs(off),
+                           initial_[i] + d * radius_[i] / (radius_[i] + radius_[j]), d.normalized()});
       const bool parted = breaks && k % 3 == 0;
       bond_pair_.push_back(parted ? BondsView::no_pair : Index(pair_i_.size()));
       ++bonds[i];
@@ -149,10 +150,11 @@ class Specimen {
   std::vector<double> radius_, mass_;
   std::vector<Index> id_;
   std::vector<Index> pair_i_, pair_j_, pair_bond_, bond_i_, bond_j_, bond_pair_;
-  std::vector<double> pair_length_, bond_length_, break_time_;
+  std::vector<double> pair_length_, bond_length_;
   std::vector<BondState> pair_state_, bond_state_;
   std::vector<PairForce> pair_force_;
-  std::vector<Vec3> break_position_, break_normal_;
+  std::vector<Index> crack_of_;
+  std::vector<Crack> cracks_;
   std::vector<WallView> walls_;
   std::vector<Field> fields_;
   SpecimenShape shape_;

@@ -101,9 +101,9 @@ TEST_F(VtkOutput, BondsComeBackWithTheForcesOfTheirPairs) {
     EXPECT_EQ(ends->GetId(0), b.i[k]);
     EXPECT_EQ(ends->GetId(1), b.j[k]);
     EXPECT_EQ(on->GetArray("state")->GetTuple1(n), double(b.state[k]));
-    EXPECT_EQ(on->GetArray("break_time")->GetTuple1(n), b.break_time[k]);
-    EXPECT_EQ(vector_at(on, "break_position", n), b.break_position[k]);
-    EXPECT_EQ(vector_at(on, "break_normal", n), b.break_normal[k]);
+    EXPECT_EQ(on->GetArray("break_time")->GetTuple1(n), b.crack(k) ? b.crack(k)->time : -1);
+    EXPECT_EQ(vector_at(on, "break_position", n), (b.crack(k) ? b.crack(k)->position : Vec3(0, 0, 0)));
+    EXPECT_EQ(vector_at(on, "break_normal", n), (b.crack(k) ? b.crack(k)->normal : Vec3(0, 0, 0)));
     EXPECT_EQ(on->GetArray("initial_distance")->GetTuple1(n), b.initial_distance[k]);
     EXPECT_EQ(on->GetArray("crack_radius")->GetTuple1(n),
               std::min(view.particles.radius[b.i[k]], view.particles.radius[b.j[k]]));

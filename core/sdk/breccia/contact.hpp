@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "breccia/si_unit.hpp"
 #include "breccia/views.hpp"
 
 /// Kernel functions must end up inside the vector loop.
@@ -76,11 +77,12 @@ struct ContactStiffness {
   }
 };
 
+/// One member of a law's State; `columns` names each of them once.
 template <class State>
 struct StateColumn {
   double State::*member;
-  const char* name;
-  const char* unit;
+  const char* name;  ///< another one for each
+  SiUnit unit;
 };
 
 /// A constant of a law's kernel that goes with (or against) a parameter of its configuration, which the workflow may

@@ -34,6 +34,7 @@
 #include "breccia/chunk_loop.hpp"
 #include "breccia/contact.hpp"
 #include "breccia/coulomb.hpp"
+#include "breccia/law_checks.hpp"
 #include "breccia/plugin.hpp"
 #include "breccia/result_name.hpp"
 #include "breccia/views.hpp"
@@ -64,6 +65,9 @@ class BRECCIA_API ContactLaw : public Plugin {
   virtual void evaluate(const PairChunk& chunk, double* const* history, PairAnswer& answer, bool adds) = 0;
   virtual void stiffness(const PairChunk& chunk, double* const* history, ContactStiffness* of_pair) = 0;
   virtual void energy(const PairChunk& chunk, double* const* history, double* of_pair) = 0;  ///< stored [J]
+  /// The law's answer to one pair of a chunk, by itself and whole: with moments even if it does not say that it has
+  /// any. Moves the pair's history on. For `breccia check`.
+  virtual ContactForce answer(const PairChunk& chunk, std::size_t k, double* const* history) = 0;
   virtual Results derived() const { return {}; }  ///< constants it derived, for the summary
 };
 
@@ -71,6 +75,10 @@ class BRECCIA_API ContactLaw : public Plugin {
 template <class Law>
 class ContactLawOf final : public ContactLaw {
   static_assert(std::is_trivially_copyable_v<Law>, "a law is copied into the step loop: keep containers in its Config");
+  static_assert(detail::columns_cover_state<Law>(),
+                "`columns` must name each member of State once, and State must hold doubles only: what is not named is "
+                "lost after each step");
+  static_assert(detail::column_names_differ<Law>(), "the names in `columns` must differ, and none may be empty");
   static constexpr auto all = std::make_index_sequence<Law::columns.size()>{};
   static constexpr std::size_t constants = detail::per_bond_count<Law>();
 
@@ -99,7 +107,11 @@ class ContactLawOf final : public ContactLaw {
   bool makes_bonds() const override { return detail::law_makes_bonds<Law>(); }
   bool needs_mass() const override { return detail::law_needs_mass<Law>(); }
   bool respects_protection() const override { return detail::law_respects_protection<Law>(); }
-  void prepare(const Assembly& assembly) override { laws_.assign(1, Law(config_, assembly)); }
+  void prepare(const Assembly& assembly) override {
+    laws_.assign(1, Law(config_, assembly));
+    if (!has_moments() && detail::fills_moments(laws_.front(), assembly.radius.empty() ? 1e-3 : assembly.radius[0]))
+      throw UserError("it fills moments, which would be lost: say `static constexpr bool has_moments = true;`");
+  }
   void take_kinds(std::span<ContactLaw* const> of_kind) override {
     std::vector<Law> laws;
     for (ContactLaw* law : of_kind) laws.push_back(static_cast<ContactLawOf*>(law)->laws_.front());
@@ -145,6 +157,17 @@ class ContactLawOf final : public ContactLaw {
       detail::load_state<Law>(s, history, k, all);
       of_pair[k] = law.energy(c, s);
     });
+  }
+  ContactForce answer(const PairChunk& chunk, std::size_t k, double* const* history) override {
+    ContactForce f;
+    for_each(chunk, history, [&](const Law& law, const Contact& c, std::size_t at) {
+      if (at != k) return;
+      typename Law::State s;
+      detail::load_state<Law>(s, history, k, all);
+      f = law(c, s);
+      detail::store_state<Law>(s, history, k, all);
+    });
+    return f;
   }
   Results derived() const override {
     if constexpr (requires(const Law& law) { law.derived(); }) return laws_.front().derived();
@@ -205,4 +228,5 @@ BRECCIA_KERNEL PlaneVector follow_plane(const Contact& c, double x, double y, do
 
 }  // namespace breccia
 
-#define BRECCIA_CONTACT_LAW(Law, name) BRECCIA_PLUGIN(::breccia::ContactLawOf<Law>, "contact_law", name)
+#define BRECCIA_CONTACT_LAW(Law, name) \
+  BRECCIA_PLUGIN(::breccia::ContactLawOf<::breccia::detail::LawOrNone<Law>>, "contact_law", name)

@@ -26,6 +26,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/param_spec.hpp"
+#include "breccia/si_unit.hpp"
 #include "breccia/types.hpp"
 
 namespace breccia {
@@ -94,8 +95,8 @@ class ParamBuilder {
  public:
   ParamBuilder(std::vector<ParamSpec>& all, std::size_t at, std::map<std::string, long>* names)
       : all_(all), at_(at), names_(names) {}
-  ParamBuilder& unit(std::string u) {
-    spec().unit = std::move(u);
+  ParamBuilder& unit(SiUnit u) {
+    spec().unit = u;
     return *this;
   }
   ParamBuilder& doc(std::string d) {

@@ -67,16 +67,24 @@ struct PairsView {
   static constexpr Index no_bond = 0xffffffffu;
 };
 
+/// Where and when a bond broke.
+struct Crack {
+  double time;    // [s]
+  Vec3 position;  ///< contact point [m]
+  Vec3 normal;    ///< unit vector i to j
+};
+
 /// Every bond made at the start, whatever became of it.
 struct BondsView {
   std::span<const Index> i, j;
   std::span<const double> initial_distance;  ///< centre distance when it was made [m]
   std::span<const BondState> state;
-  std::span<const double> break_time;                  ///< [s]; negative while intact
-  std::span<const Vec3> break_position, break_normal;  ///< of the crack: contact point [m], unit vector i to j
-  std::span<const Index> pair;                         ///< its row in PairsView, or no_pair when it broke and parted
+  std::span<const Index> pair;      ///< its row in PairsView, or no_pair when it broke and parted
+  std::span<const Index> crack_of;  ///< row in `cracks`, or no_crack while it is intact
+  std::span<const Crack> cracks;    ///< in the order in which they came
   std::size_t size() const { return i.size(); }
-  static constexpr Index no_pair = 0xffffffffu;
+  const Crack* crack(std::size_t bond) const { return crack_of[bond] == no_crack ? nullptr : &cracks[crack_of[bond]]; }
+  static constexpr Index no_pair = 0xffffffffu, no_crack = 0xffffffffu;
 };
 
 struct WallView {

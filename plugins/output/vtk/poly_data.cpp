@@ -198,9 +198,11 @@ vtkSmartPointer<vtkPolyData> bond_data(const SimulationView& view, std::span<con
       return b.pair[k] == BondsView::no_pair ? Vec3::Zero() : view.pairs.moment[b.pair[k]];
     });
   add_real(on, precision, "initial_distance", "m", n, [&](std::size_t k) { return b.initial_distance[k]; });
-  add_real(on, precision, "break_time", "s", n, [&](std::size_t k) { return b.break_time[k]; });
-  add_real(on, precision, "break_position", "m", n, [&](std::size_t k) { return b.break_position[k]; });
-  add_real(on, precision, "break_normal", "1", n, [&](std::size_t k) { return b.break_normal[k]; });
+  add_real(on, precision, "break_time", "s", n, [&](std::size_t k) { return b.crack(k) ? b.crack(k)->time : -1; });
+  add_real(on, precision, "break_position", "m", n,
+           [&](std::size_t k) { return b.crack(k) ? b.crack(k)->position : Vec3::Zero().eval(); });
+  add_real(on, precision, "break_normal", "1", n,
+           [&](std::size_t k) { return b.crack(k) ? b.crack(k)->normal : Vec3::Zero().eval(); });
   add_real(on, precision, "crack_radius", "m", n,
            [&](std::size_t k) { return std::min(view.particles.radius[b.i[k]], view.particles.radius[b.j[k]]); });
   if (const auto& of = view.particles.material; !of.empty()) {

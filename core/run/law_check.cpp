@@ -1,0 +1,427 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/law_check.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstring>
+#include <random>
+
+#include "config/reader.hpp"
+#include "run/law_rig.hpp"
+
+namespace breccia {
+namespace {
+
+/// Where a pair along x is led, at the end of the way: j relative to i, in radii and radians.
+struct Way {
+  std::string name;
+  Vec3 shift = Vec3::Zero();  ///< of j; across x it shears
+  Vec3 turn_i = Vec3::Zero(), turn_j = Vec3::Zero();
+  bool bonded = true;
+};
+
+constexpr double radius = 1e-3;  // of the larger sphere, i [m]
+
+Vec3 unit(std::mt19937_64& random) {
+  std::normal_distribution<double> n;
+  return Vec3(n(random), n(random), n(random)).normalized();
+}
+
+std::vector<Way> ways(bool bonded) {
+  std::mt19937_64 random(7);
+  std::vector<Way> all;
+  if (bonded) all.push_back({"tension", Vec3(1, 0, 0)});
+  all.push_back({"compression", Vec3(-1, 0, 0)});
+  const double pressed = bonded ? 0 : -0.3;  // what is not bonded must be pressed
+  for (int k = 0; k < 3; ++k) {
+    const double angle = 0.4 + 2.1 * k;
+    const Vec3 across(0, std::cos(angle), std::sin(angle));
+    all.push_back(
+        {fmt::format("shear along (0, {:.2f}, {:.2f})", across.y(), across.z()), across + Vec3(pressed, 0, 0)});
+    all.push_back({fmt::format("bending about (0, {:.2f}, {:.2f})", across.y(), across.z()), Vec3(pressed, 0, 0),
+                   -across, across});
+  }
+  all.push_back({"twist", Vec3(pressed, 0, 0), Vec3(-1, 0, 0), Vec3(1, 0, 0)});
+  for (int k = 0; k < 4; ++k) {
+    Vec3 shift = unit(random);
+    if (!bonded) shift.x() = -std::abs(shift.x());
+    all.push_back({fmt::format("motion of all kinds, no. {}", k + 1), shift, unit(random), unit(random)});
+  }
+  for (Way& w : all) w.bonded = bonded;
+  return all;
+}
+
+std::string bonded_text(bool bonded) { return bonded ? "bonded pair" : "contact without a bond"; }
+
+/// The motion that leads the given share of a way in one step of `dt`.
+PairMotion motion(const Way& way, double amplitude, double share, double dt) {
+  PairMotion m;
+  const double rate = amplitude * share / dt;
+  m.velocity_j = rate * radius * way.shift;
+  m.spin_i = rate * way.turn_i;
+  m.spin_j = rate * way.turn_j;
+  return m;
+}
+
+class LawCheck {
+ public:
+  LawCheck(const Registry& registry, const PluginChoice& choice) : registry_(registry), choice_(choice) {
+    law_ = make(choice.config);
+    const ContactStiffness k = LawRig(*law_, {}, 1e-9).stiffness();
+    const double mass = 1e-5, stiffest = std::max({k.normal, k.shear, (k.bending + k.torsion) / (radius * radius)});
+    scale_ = std::max(law_->makes_bonds() ? 0.0 : LawRig::spring_before, std::isfinite(stiffest) ? stiffest : 0.0);
+    dt_ = stiffest > 0 && std::isfinite(stiffest) ? 0.05 * std::sqrt(mass / stiffest) : 1e-8;
+  }
+
+  std::vector<LawFinding> operator()() {
+    for (const bool bonded : {true, false}) {
+      if (bonded && !law_->makes_bonds()) continue;
+      at_rest(bonded);
+      stiffnesses(bonded);
+      for (const Way& way : ways(bonded)) energy(way);
+      frames(bonded);
+    }
+    vectors();
+    box();
+    speed();
+    return std::move(found_);
+  }
+
+ private:
+  std::unique_ptr<GuardedLaw> make(const Json& config) const {
+    auto law = std::make_unique<GuardedLaw>(registry_.create<ContactLaw>({choice_.type, config}), choice_.type);
+    const std::vector<double> r = {radius, 0.8 * radius}, m = {1.1e-5, 5.7e-6};
+    const std::vector<Index> i = {0}, j = {1};
+    Assembly a;
+    a.radius = r;
+    a.mass = m;
+    a.bond_i = i;
+    a.bond_j = j;
+    a.porosity = 0.35;
+    a.coordination_number = 8;
+    law->prepare(a);
+    return law;
+  }
+  LawRig rig(const Way& way, double dt) { return rig(*law_, way, dt); }
+  static LawRig rig(ContactLaw& law, const Way& way, double dt) {
+    LawRig::Start start;
+    start.bonded = way.bonded;
+    return {law, start, dt};
+  }
+  void checked() {
+    law_->check();  // what the law threw
+  }
+  void add(std::string check, bool holds, std::string measured, std::string mend) {
+    checked();
+    found_.push_back({std::move(check), holds, std::move(measured), holds ? "" : std::move(mend)});
+  }
+
+  void at_rest(bool bonded) {
+    Way way;
+    way.bonded = bonded;
+    LawRig pair = rig(way, dt_);
+    const double scale = scale_ * radius;
+    const double force = pair.last().force.norm();
+    add("no force where nothing was moved, " + bonded_text(bonded),
+        force <= 1e-9 * scale && pair.energy() <= 1e-12 * scale * radius,
+        fmt::format("{:.3g} N, {:.3g} J", force, pair.energy()),
+        "at `rest_length` a new pair must be free of force and energy: look at `initial` and where displacements "
+        "start");
+  }
+
+  /// The stated stiffness sets the time step: too small, and the motion runs away.
+  void stiffnesses(bool bonded) {
+    const double slow = 1e12 * dt_, tiny = 1e-7;  // nothing that depends on rates is left
+    struct Direction {
+      const char* name;
+      double ContactStiffness::*stated;
+      Vec3 shift, turn;
+    };
+    const double a = radius, b = 0.8 * radius;
+    for (const Direction& d : {Direction{"normal", &ContactStiffness::normal, Vec3(-1, 0, 0), Vec3::Zero()},
+                               {"shear", &ContactStiffness::shear, Vec3(0, 0.6, 0.8), Vec3::Zero()},
+                               {"bending", &ContactStiffness::bending, Vec3::Zero(), Vec3(0, 0.6, 0.8)},
+                               {"torsion", &ContactStiffness::torsion, Vec3::Zero(), Vec3(1, 0, 0)}}) {
+      Way way{d.name, d.shift, -0.5 * d.turn, 0.5 * d.turn, bonded};
+      // Bending without shear: the contact point of both stays.
+      const Vec3 n(1, 0, 0);
+      way.shift += (a * way.turn_i + b * way.turn_j).cross(n) / radius;
+      LawRig pair = rig(way, slow);
+      Way press;
+      press.shift = Vec3(-1, 0, 0);
+      if (!bonded)
+        for (int k = 0; k < 50; ++k) pair.step(motion(press, 2e-3, 0.02, slow));
+      pair.step({});
+      const double stated = pair.stiffness().*d.stated;
+      const PairResponse before = pair.last();
+      const PairResponse after = pair.step(motion(way, tiny, 1, slow));
+      const bool turns = !d.turn.isZero(0);
+      const double slope =
+          turns ? 0.5 * ((after.torque_i - before.torque_i) - (after.torque_j - before.torque_j)).norm() / tiny
+                : (after.force - before.force).norm() / (tiny * radius);
+      if (slope <= 1e-6 * scale_ * (turns ? radius * radius : 1) && stated == 0) continue;
+      add(fmt::format("stiffness, {}, {}", d.name, bonded_text(bonded)), stated >= 0.95 * slope,
+          fmt::format("stated {:.4g}, the force's slope {:.4g} {}", stated, slope, turns ? "N m/rad" : "N/m"),
+          fmt::format("`stiffness` states too little in `{}`: the time step will be too long", d.name));
+    }
+  }
+
+  struct Balance {
+    double error = 0, scale = 0, least_dissipated = 0;
+    bool finite = true, broke = false;
+    double share = 1;  ///< of the way where the bond broke
+  };
+  Balance follow(const Way& way, double amplitude, int steps) {
+    LawRig pair = rig(way, dt_);
+    Balance b;
+    double dissipated = 0, stored_most = 0;
+    const double before = pair.energy();
+    // There, half the way back, and on: springs are loaded, unloaded and loaded again.
+    const double turning = 0.5, back = 0.2;
+    const auto led = [&](double from, double to) {
+      const int n = std::max(1, int(std::lround(steps * std::abs(to - from))));
+      for (int k = 0; k < n && b.finite; ++k) {
+        const PairResponse r = pair.step(motion(way, amplitude, (to - from) / n, dt_));
+        b.finite = b.finite && r.finite();
+        dissipated += r.friction + r.contact + r.fracture;
+        b.least_dissipated = std::min({b.least_dissipated, r.friction, r.contact, r.fracture});
+        if (way.bonded && !b.broke && !pair.intact()) {
+          b.broke = true;
+          b.share = from + (to - from) * (k + 1) / n;
+        }
+        stored_most = std::max(stored_most, std::abs(pair.energy()));
+      }
+    };
+    led(0, turning);
+    led(turning, back);
+    led(back, 1);
+    b.scale = std::max(pair.way(), stored_most);
+    b.error = std::abs(pair.work() - (pair.energy() - before) - dissipated);
+    return b;
+  }
+
+  void energy(const Way& way) {
+    double amplitude = 0.02;
+    constexpr int steps = 2000;
+    Balance b = follow(way, amplitude, steps);
+    // A bond that breaks at once is led there in steps that are small to that.
+    for (int k = 0; k < 12 && b.broke && b.share < 0.4 && b.finite; ++k) {
+      amplitude *= std::max(1.5 * b.share, 0.01);
+      b = follow(way, amplitude, steps);
+    }
+    const Balance fine = follow(way, amplitude, 8 * steps);
+    const double error = fine.scale > 0 ? fine.error / fine.scale : 0;
+    const std::string name = way.name + ", " + bonded_text(way.bonded);
+    if (!b.finite || !fine.finite) {
+      add("energy against work, " + name, false, "a force or energy that is not a number",
+          "look for divisions by zero and roots of negative numbers along this way");
+      return;
+    }
+    add("energy against work, " + name, error <= 0.01 || (fine.error < 1e-15 && b.error < 1e-15),
+        fmt::format("{:.2g} % of {:.3g} J unaccounted for{}", 100 * error, fine.scale,
+                    fine.broke ? ", through its failure" : ""),
+        "the force does not do the work that `energy` and the reported dissipation account for: look at their signs "
+        "and "
+        "components in this direction");
+    if (fine.least_dissipated < -1e-9 * fine.scale)
+      add("dissipation, " + name, false, fmt::format("{:.3g} J in one step", fine.least_dissipated),
+          "friction_work, contact_work and fracture_energy cannot be negative");
+  }
+
+  /// Where the pair lies in space, and which end is the first, is nobody's business.
+  void frames(bool bonded) {
+    double turned = 0, swapped = 0;
+    for (const Way& way : ways(bonded)) {
+      LawRig::Start start;
+      start.bonded = bonded;
+      LawRig::Start rotated = start, exchanged = start;
+      rotated.turned = Eigen::AngleAxisd(1.1, Vec3(0.3, -0.5, 0.8).normalized()).toRotationMatrix();
+      exchanged.swapped = true;
+      LawRig a(*law_, start, dt_), r(*law_, rotated, dt_), s(*law_, exchanged, dt_);
+      constexpr double amplitude = 0.002;
+      double most = 1e-6 * scale_ * amplitude * radius, off_turned = 0, off_swapped = 0;
+      constexpr int steps = 400;
+      for (int k = 0; k < steps; ++k) {
+        const PairMotion m = motion(way, amplitude, 1.0 / steps, dt_);
+        const PairResponse x = a.step(m), y = r.step(m), z = s.step(m);
+        if (r.intact() != a.intact() || s.intact() != a.intact()) break;  // rounding may part them by a step
+        most = std::max({most, x.force.norm(), (x.torque_i.norm() + x.torque_j.norm()) / radius});
+        const Mat3& turn = rotated.turned;
+        off_turned =
+            std::max({off_turned, (y.force - turn * x.force).norm(), (y.torque_i - turn * x.torque_i).norm() / radius,
+                      (y.torque_j - turn * x.torque_j).norm() / radius});
+        off_swapped = std::max({off_swapped, (z.force + x.force).norm(), (z.torque_i - x.torque_j).norm() / radius,
+                                (z.torque_j - x.torque_i).norm() / radius});
+      }
+      if (most > 0) turned = std::max(turned, off_turned / most), swapped = std::max(swapped, off_swapped / most);
+    }
+    constexpr double rounding = 1e-6;
+    add("turned in space, " + bonded_text(bonded), turned <= rounding, fmt::format("forces differ by {:.2g}", turned),
+        "the answer depends on the directions of the axes: components are mixed up, or vectors of the history are not "
+        "turned with the pair (`follow_plane`)");
+    add("ends exchanged, " + bonded_text(bonded), swapped <= rounding, fmt::format("forces differ by {:.2g}", swapped),
+        "the answer depends on which particle is i: radii, lever arms or signs are not symmetric");
+  }
+
+  /// The vector loop gives the bits of the law by itself, and the same ones a second time.
+  void vectors() {
+    std::mt19937_64 random(11);
+    std::uniform_real_distribution<double> u(-1, 1);
+    LawRig pair(*law_, {}, dt_, PairChunk::capacity);
+    PairChunk& g = pair.chunk();
+    for (std::size_t k = 0; k < g.size; ++k) {
+      const Vec3 d = unit(random) * g.rest[k] * (1 + 2e-3 * u(random));
+      g.dx[k] = d.x(), g.dy[k] = d.y(), g.dz[k] = d.z();
+      for (double* v : {g.vx, g.vy, g.vz}) v[k] = 0.1 * u(random);
+      for (double* w : {g.wix, g.wiy, g.wiz, g.wjx, g.wjy, g.wjz}) w[k] = 50 * u(random);
+      g.intact[k] = g.may_break[k] = k % 3 != 0 && law_->makes_bonds() ? 1 : 0;
+    }
+    const std::size_t columns = law_->columns().size();
+    std::vector<std::vector<double>> first(columns, std::vector<double>(PairChunk::capacity));
+    const auto pointers = [](std::vector<std::vector<double>>& h) {
+      std::vector<double*> p;
+      for (auto& c : h) p.push_back(c.data());
+      return p;
+    };
+    law_->initialise(g, pointers(first).data());
+    bool same = true, again = true, moments = false;
+    auto once = std::make_unique<PairAnswer>(), twice = std::make_unique<PairAnswer>();
+    for (int round = 0; round < 3; ++round) {  // the history of the first is what the next begins with
+      std::vector<std::vector<double>> a = first, b = first, c = first;
+      *once = *twice = {};
+      law_->evaluate(g, pointers(a).data(), *once, false);
+      law_->evaluate(g, pointers(b).data(), *twice, false);
+      again = again && a == b && std::memcmp(once.get(), twice.get(), sizeof(PairAnswer)) == 0;
+      for (std::size_t k = 0; k < g.size; ++k) {
+        const ContactForce f = law_->answer(g, k, pointers(c).data());
+        same = same && f.normal == once->normal[k] && f.friction_work == once->friction[k] &&
+               f.contact_work == once->contact[k] && f.fracture_energy == once->fracture[k];
+        moments = moments || f.moment_x != 0 || f.moment_y != 0 || f.moment_z != 0;
+      }
+      same = same && a == c;
+      first = a;
+    }
+    add("the same twice", again, again ? "equal bits" : "other bits the second time",
+        "the answer depends on something besides the contact and its State: a static or uninitialised variable?");
+    add("vector loop and single pairs", same, same ? "equal bits" : "other bits",
+        "the compiler may reorder sums: build with the flags of Breccia::sdk only, without -ffast-math");
+    add("moments are declared", law_->has_moments() || !moments, moments ? "has moments" : "no moments",
+        "say `static constexpr bool has_moments = true;`: the moments that it fills are lost");
+  }
+
+  /// Whatever the ranges of the parameters allow must give numbers.
+  void box() {
+    std::mt19937_64 random(13);
+    std::uniform_real_distribution<double> u(0, 1);
+    int tried = 0;
+    std::string bad;
+    for (int draw = 0; draw < 60 && bad.empty(); ++draw) {
+      Json config = choice_.config;
+      for (const ParamSpec& p : registry_.documentation(ContactLaw::kind, choice_.type).root.members) {
+        if (p.type != ParamType::quantity || !config.contains(p.name) || !config[p.name].is_number()) continue;
+        double value = config[p.name].get<double>() * std::pow(10.0, 4 * u(random) - 2);
+        const double edge = u(random);
+        if (p.lower && edge < 0.15)
+          value = p.lower->inclusive ? p.lower->value : p.lower->value + 1e-3 * std::abs(value);
+        if (p.upper && edge > 0.85)
+          value = p.upper->inclusive ? p.upper->value : p.upper->value - 1e-3 * std::abs(p.upper->value);
+        if (p.lower && (value < p.lower->value || (!p.lower->inclusive && value == p.lower->value))) continue;
+        if (p.upper && (value > p.upper->value || (!p.upper->inclusive && value == p.upper->value))) continue;
+        config[p.name] = value;
+      }
+      if (!registry_.check(ContactLaw::kind, choice_.type, config).empty()) continue;
+      std::unique_ptr<GuardedLaw> law;
+      try {
+        law = make(config);
+      } catch (const UserError&) { continue; }  // it says itself what does not go together
+      ++tried;
+      for (const bool bonded : {true, false})
+        for (const Way& way : ways(bonded)) {
+          LawRig pair = rig(*law, way, dt_);
+          bool finite = std::isfinite(pair.stiffness().normal + pair.stiffness().shear);
+          for (int k = 0; k < 60 && finite; ++k)
+            finite =
+                pair.step(motion(way, k < 30 ? 1e-3 : 0.3, 1.0 / 60, dt_)).finite() && std::isfinite(pair.energy());
+          law->check();
+          if (!finite && bad.empty()) bad = way.name + ", " + bonded_text(bonded) + ", with " + config.dump();
+        }
+    }
+    add("numbers for all that the ranges allow", bad.empty(),
+        bad.empty() ? fmt::format("{} draws of the parameters", tried) : bad,
+        "narrow the range, say in `check` what does not go together, or mind the division by zero");
+  }
+
+  static double nanoseconds(ContactLaw& law) {
+    LawRig pair(law, {}, 1e-9, PairChunk::capacity);
+    PairChunk& g = pair.chunk();
+    std::vector<std::vector<double>> history(law.columns().size(), std::vector<double>(PairChunk::capacity));
+    std::vector<double*> h;
+    for (auto& c : history) h.push_back(c.data());
+    law.initialise(g, h.data());
+    auto answer = std::make_unique<PairAnswer>();
+    *answer = {};
+    double least = 1e300;
+    for (int k = 0; k < 30; ++k) {
+      constexpr int rounds = 400;
+      const auto start = std::chrono::steady_clock::now();
+      for (int r = 0; r < rounds; ++r) law.evaluate(g, h.data(), *answer, false);
+      least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() /
+                                  (rounds * double(PairChunk::capacity)));
+    }
+    return 1e9 * least;
+  }
+  void speed() {
+    const double own = nanoseconds(*law_);
+    std::string text = fmt::format("{:.2g} ns a pair and step", own);
+    const auto names = registry_.names(ContactLaw::kind);
+    if (const std::string other = "elastic_brittle"; std::find(names.begin(), names.end(), other) != names.end()) {
+      LawCheck reference(registry_, {other, config_of(registry_, other)});
+      text += fmt::format("; `{}` {:.2g}", other, nanoseconds(*reference.law_));
+    }
+    add("speed", true, text, "");
+  }
+
+ public:
+  static Json config_of(const Registry& registry, const std::string& law);
+
+ private:
+  const Registry& registry_;
+  PluginChoice choice_;
+  std::unique_ptr<GuardedLaw> law_;
+  double dt_ = 0, scale_ = 0;  ///< [s]; a stiffness that counts [N/m]
+  std::vector<LawFinding> found_;
+};
+
+struct LawSection {
+  PluginChoice contact_law;
+};
+
+Json LawCheck::config_of(const Registry& registry, const std::string& law) {
+  Schema<LawSection> schema;
+  schema.param("contact_law", &LawSection::contact_law).kind("contact_law").doc("the law");
+  return schema.load(read_config(example_section(registry, law), law, schema.documentation().root, registry))
+      .contact_law.config;
+}
+
+}  // namespace
+
+std::string example_section(const Registry& registry, const std::string& law) {
+  const ParamSpec& root = registry.documentation(ContactLaw::kind, law).root;
+  std::string text = "contact_law:\n  type: " + law + "\n";
+  const auto chosen = [&](const std::string& name) {
+    for (const auto& group : root.exactly_one_of)
+      if (std::find(group.begin(), group.end(), name) != group.end()) return group.front() == name;
+    return false;
+  };
+  for (const ParamSpec& p : root.members)
+    if (p.fallback.is_null() && !p.example.empty() && (p.required || chosen(p.name)))
+      text += "  " + p.name + ": " + p.example + "\n";
+  return text;
+}
+
+std::vector<LawFinding> check_law(const Registry& registry, const PluginChoice& law) {
+  return LawCheck(registry, law)();
+}
+
+}  // namespace breccia
