@@ -19,11 +19,8 @@
 #include "output/curve_table.hpp"
 #include "output/results_folder.hpp"
 #include "output/summary_table.hpp"
-<<<<<<< HEAD
-#include "run/branch.hpp"
-=======
 #include "plugin/out_of_memory.hpp"
->>>>>>> ae70e64 (A run that cannot go on says what it leaves, and a folder that was removed is noticed at once)
+#include "run/branch.hpp"
 #include "run/checkpoints.hpp"
 #include "run/checks.hpp"
 #include "run/columns.hpp"

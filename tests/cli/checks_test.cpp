@@ -141,7 +141,7 @@ TEST_F(Checks, WhatCannotBeReckonedWithIsRefusedWithItsReason) {
   const auto refused = [&](const std::string& setting) {
     const Result r = call("run w.yaml --output out --overwrite " + setting);
     EXPECT_EQ(r.code, 2) << r.text;
-    EXPECT_TRUE(has(r.text, "check radii and material.density")) << r.text;
+    EXPECT_TRUE(has(r.text, "check radii and material.density") || has(r.text, "1e30 m")) << r.text;
   };
   refused("--set material.density='1e-300 kg/m3'");
   for (const std::string power : {"e-97", "e203"}) {  // in millimetres
