@@ -249,6 +249,17 @@ TEST_F(Charts, ProfilesAreLinesOverTheMiddlesOfTheIntervals) {
   EXPECT_GT(lines[0][2].y(), lines[0][0].y());
 }
 
+TEST_F(Charts, WhatCurvesJsonSaysAmissIsTakenFromTheHeader) {
+  for (const char* name : {"a", "b"}) {
+    run(name, 1e6);
+    from_.file(std::string(name) + "/curves.json",
+               R"([{"header": "axial_strain", "name": 3, "unit": ["m"]}, {"header": "axial_stress_Pa", "unit": {},
+                   "name": "axial_stress"}, {"header": "global_damage", "name": null}])");
+  }
+  compare();
+  EXPECT_FALSE(fs::is_empty(to_.path()));
+}
+
 TEST_F(Charts, MohrCirclesAreRoundAndTheLineTouchesThem) {
   // On one line: sigma_1 = 20 MPa + 4 sigma_3, hence c = 5 MPa and sin(phi) = 0.6.
   const auto test = [&](const std::string& name, double confining, double axial) {

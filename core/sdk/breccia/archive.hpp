@@ -132,7 +132,10 @@ class BRECCIA_API Archive {
     const Group group(*this, name);
     std::uint64_t size = of.size();
     (*this)("size", size);
-    if (reading()) of.resize(size);
+    if (reading()) {  // as many as there are, before memory is taken for as many as are said to be
+      (expect<T>(members.first, size), ...);
+      of.resize(size);
+    }
     ((*this)(members.first,
              of.empty() ? Strided<T>() : Strided<T>(&(of.front().*members.second), size, sizeof(Record))),
      ...);
@@ -190,8 +193,11 @@ class BRECCIA_API Archive {
       const Group group(*this, name);
       std::uint64_t size = values.size();
       (*this)("size", size);
-      if (reading()) values.resize(size);
-      for (std::size_t k = 0; k < size; ++k) (*this)(std::to_string(k), values[k]);
+      if (reading() && size < values.size()) values.resize(size);
+      for (std::size_t k = 0; k < size; ++k) {
+        if (k == values.size()) values.emplace_back();  // one by one: where there is no more, reading ends
+        (*this)(std::to_string(k), values[k]);
+      }
     }
   }
 
@@ -206,10 +212,16 @@ class BRECCIA_API Archive {
   }
   void numbers_checked(std::string_view name, archived::Element element, void* data, std::size_t size,
                        std::size_t columns, std::size_t stride) {
-    if (reading())
-      if (const std::size_t there = rows(within(name), element, columns); there != size)
-        refuse(within(name), std::to_string(there) + " values where " + std::to_string(size) + " belong");
+    if (reading()) expect_rows(name, element, size, columns);
     numbers(name, element, data, size, columns, stride);
+  }
+  void expect_rows(std::string_view name, archived::Element element, std::size_t size, std::size_t columns) {
+    if (const std::size_t there = rows(within(name), element, columns); there != size)
+      refuse(within(name), std::to_string(there) + " values where " + std::to_string(size) + " belong");
+  }
+  template <class T>
+  void expect(std::string_view name, std::size_t size) {
+    expect_rows(name, archived::element_of<typename archived::Flat<T>::Scalar>(), size, archived::Flat<T>::count);
   }
 
   std::string path_;
