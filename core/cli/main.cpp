@@ -255,8 +255,8 @@ void set_environment_of_libraries(char** argv) {
 }
 
 int main(int argc, char** argv) {
-  set_environment_of_libraries(argv);
   end_plainly_without_memory();
+  set_environment_of_libraries(argv);
   try {
     const int code = dispatch(argc, argv);
     // A reader that has seen enough (`| head`) is no error; a full disk is.

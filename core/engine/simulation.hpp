@@ -63,6 +63,7 @@ class Simulation final : public LoadControl {
 
   /// Between a step's `advance()` and the next one's `forces()`: all that the steps to come depend on. Read into a
   /// simulation of the same packing, bonds, laws and walls, on which `prepare()` was called; any number of threads.
+  /// UserError when it has another number of walls.
   void archive(Archive& archive);
   /// After `bond()`: the particles, bonds and contacts of such a state, of the same packing, bonds and laws, for
   /// another test. What loaded them there is gone, the clock stands at 0, the specimen is measured anew. `prepare()`
@@ -98,6 +99,7 @@ class Simulation final : public LoadControl {
  private:
   void rebuild();
   void deal_pairs();
+  void archive_state(Archive& archive);
   void archive_lists(Archive& archive);
   void look();
   void add_mass_for_step();

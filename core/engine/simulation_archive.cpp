@@ -90,6 +90,14 @@ void SpectralStep::archive(Archive& archive, const std::vector<Index>& id) {
 }
 
 void Simulation::archive(Archive& archive) {
+  const std::size_t walls = state_.walls.size();
+  archive_state(archive);
+  if (state_.walls.size() != walls)
+    throw UserError("the test of the checkpoint has " + std::to_string(state_.walls.size()) + " walls, this one " +
+                    std::to_string(walls) + ": with these values of its protocol it cannot go on from there");
+}
+
+void Simulation::archive_state(Archive& archive) {
   BRECCIA_ASSERT(!forces_known_ && led_.empty() && !mass_pending_);
   State& s = state_;
   const std::vector<Index>& id = s.particles.id;
@@ -133,7 +141,7 @@ void Simulation::take_specimen(Archive& from) {
   const SpecimenShape packed = s.specimen;
   const std::vector<double> mass(p.mass().begin(), p.mass().end()), inertia(p.inertia().begin(), p.inertia().end());
   const std::vector<std::uint8_t> held = p.held;
-  archive(from);
+  archive_state(from);
   // Mass may have been added for that test's time step.
   std::copy(mass.begin(), mass.end(), p.mass().begin());
   std::copy(inertia.begin(), inertia.end(), p.inertia().begin());

@@ -68,22 +68,38 @@ void write_text(char* to, std::size_t size) {
 
 std::terminate_handler before = nullptr;
 
+[[noreturn]] void end_with(const char* advice) {
+  static char text[512];
+  write_text(text, sizeof text);
+  for (const char* part : {"breccia: ", static_cast<const char*>(text), advice, "\n"})
+    (void)!write(STDERR_FILENO, part, __builtin_strlen(part));
+  _exit(1);
+}
+
+bool can_be_had(std::size_t bytes) {
+  void* volatile memory = std::malloc(bytes);
+  std::free(memory);
+  return memory != nullptr;
+}
+
 [[noreturn]] void at_the_end() {
+  const auto e = std::current_exception();
+  // Without memory for an exception the C++ library ends the program without one.
+  bool memory = !e && !can_be_had(std::size_t(1) << 20);
   try {
-    if (const auto e = std::current_exception()) std::rethrow_exception(e);
-  } catch (const std::bad_alloc&) {
-    static char text[512];
-    write_text(text, sizeof text);
-    for (const char* part :
-         {"breccia: ", static_cast<const char*>(text),
-          "; it came where nothing could be brought to an order. What the run had written stays in its "
-          "folder: `breccia run --resume FOLDER` goes on from the newest checkpoint there\n"})
-      (void)!write(STDERR_FILENO, part, __builtin_strlen(part));
-    _exit(1);
-  } catch (...) {}
+    if (e) std::rethrow_exception(e);
+  } catch (const std::bad_alloc&) { memory = true; } catch (...) {
+  }
+  if (memory)
+    end_with(
+        "; it came where nothing could be brought to an order. What the run had written stays in its folder: `breccia "
+        "run --resume FOLDER` goes on from the newest checkpoint there");
   if (before) before();
   std::abort();
 }
+
+/// Less than that the libraries themselves do not survive, each in a way of its own [bytes].
+constexpr std::size_t least = std::size_t(8) << 20;
 
 }  // namespace
 
@@ -98,6 +114,9 @@ std::string out_of_memory() {
   return text;
 }
 
-void end_plainly_without_memory() { before = std::set_terminate(at_the_end); }
+void end_plainly_without_memory() {
+  if (!can_be_had(least)) end_with("; it needs some 12 MB to begin");
+  before = std::set_terminate(at_the_end);
+}
 
 }  // namespace breccia

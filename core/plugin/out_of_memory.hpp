@@ -14,7 +14,8 @@ void memory_is_for(std::size_t particles, std::size_t bonds);
 std::string out_of_memory();
 
 /// An exception cannot leave a parallel region: without memory in there the program ends with that text and exit code 1
-/// instead of the C++ library's own words, as if it had been killed: what was written stays for `--resume`.
+/// instead of the C++ library's own words, as if it had been killed: what was written stays for `--resume`. Ends it at
+/// once when there is less memory than it can begin with.
 void end_plainly_without_memory();
 
 }  // namespace breccia

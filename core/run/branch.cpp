@@ -99,31 +99,44 @@ Json plugins_of(const Json& provenance, std::initializer_list<const char*> kinds
   return {{"plugins", chosen}};
 }
 
-/// A specimen of that packing with the laws of a workflow, as it is before its test.
-struct Fresh {
-  Fresh(const Workflow& laws_of, const Beginner& run, int threads)
-      : laws(run.registry, laws_of.contact_law, run.workflow.material_list(), std::uint64_t(laws_of.seed)) {
-    const Workflow& w = run.workflow;
-    laws.within([&] {
-      simulation.emplace(assemble(run.packing, w.materials_of(run.packing), int(w.dimension), w.thickness),
-                         laws.interactions(), w.engine_settings(threads));
-      simulation->bond(w.bonding.rule());
-      simulation->prepare();
-    });
+/// Specimens of that packing with the laws of a workflow.
+class Trial {
+ public:
+  Trial(const Workflow& laws_of, const Beginner& run, int threads)
+      : laws_(run.registry, laws_of.contact_law, run.workflow.material_list(), std::uint64_t(laws_of.seed)),
+        run_(run),
+        threads_(threads) {}
+  /// Of each pair before the test.
+  std::vector<std::vector<double>> history() {
+    make();
+    laws_.within([&] { specimen_->prepare(); });
+    return specimen_->state().pairs.columns;
   }
-  std::vector<std::vector<double>> history() const { return simulation->state().pairs.columns; }
   /// What the pairs of a checkpoint store with these laws [J].
   double energy(Archive& checkpoint) {
+    make();
     double stored = 0;
     const Archive::Group group(checkpoint, "engine");
-    laws.within([&] {
-      simulation->archive(checkpoint);
-      stored = simulation->energy_of_pairs();
+    laws_.within([&] {
+      specimen_->take_specimen(checkpoint);
+      stored = specimen_->energy_of_pairs();
     });
     return stored;
   }
-  ContactLaws laws;
-  std::optional<Simulation> simulation;
+
+ private:
+  void make() {
+    const Workflow& w = run_.workflow;
+    laws_.within([&] {
+      specimen_.emplace(assemble(run_.packing, w.materials_of(run_.packing), int(w.dimension), w.thickness),
+                        laws_.interactions(), w.engine_settings(threads_));
+      specimen_->bond(w.bonding.rule());
+    });
+  }
+  ContactLaws laws_;
+  const Beginner& run_;
+  int threads_;
+  std::optional<Simulation> specimen_;
 };
 
 }  // namespace
@@ -215,11 +228,11 @@ void Branch::check_law(const Beginner& run, Host& host) {
   std::vector<std::vector<double>> before;
   double stored_before = 0;
   {
-    Fresh specimen(old.workflow, run, host.threads());
+    Trial specimen(old.workflow, run, host.threads());
     before = specimen.history();
     if (measured()) stored_before = specimen.energy(*reader_);
   }
-  Fresh specimen(run.workflow, run, host.threads());
+  Trial specimen(run.workflow, run, host.threads());
   std::string changed;
   for (const std::string& d : differences_)
     if (section_of(d) == "contact_law") changed += "\n  " + d;

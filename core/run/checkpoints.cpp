@@ -8,6 +8,7 @@
 
 #include "archive/archive_size.hpp"
 #include "breccia/atomic_file.hpp"
+#include "config/places.hpp"
 #include "plugin/out_of_memory.hpp"
 
 namespace breccia {
@@ -45,18 +46,36 @@ void CheckpointsConfig::describe(Schema<CheckpointsConfig>& s) {
       .doc("one more before the last step of the test; a run that is stopped on request always leaves one");
 }
 
-Checkpoints::Checkpoints(const CheckpointsConfig& config, const fs::path& folder,
+Checkpoints::Checkpoints(const CheckpointsConfig& config, const fs::path& folder, const Curves& curves,
                          std::function<std::vector<std::string>(Archive&)> write, Host& host)
-    : config_(config), folder_(folder / "checkpoints"), write_(std::move(write)), host_(host) {}
+    : config_(config), folder_(folder / "checkpoints"), curves_(curves), write_(std::move(write)), host_(host) {
+  if (!config.every_strain) return;
+  for (const char* name : {"axial_strain", "platen_strain"})
+    for (const Column& c : curves.columns())
+      if (!strain_curve_ && c.name == name) strain_curve_ = name;
+  if (!strain_curve_)
+    throw AtPath("checkpoints.every_strain",
+                 "checkpoints.every_strain: this workflow has no curve `axial_strain` or `platen_strain`");
+}
 
 void Checkpoints::start_from(const RunProgress& now) {
   from_ = now;
+  from_strain_ = strain();
   last_ = Clock::now();
 }
 
-bool Checkpoints::due(const RunProgress& now) const {
+/// Of the last row; 0 where nobody asks.
+double Checkpoints::strain() {
+  if (strain_curve_ && curves_.rows() != rows_) {
+    rows_ = curves_.rows();
+    strain_ = curves_.column(strain_curve_).back();
+  }
+  return strain_;
+}
+
+bool Checkpoints::due(const RunProgress& now) {
   if (config_.every_steps && now.step - from_.step >= std::uint64_t(*config_.every_steps)) return true;
-  if (config_.every_strain && std::abs(now.strain - from_.strain) >= *config_.every_strain) return true;
+  if (config_.every_strain && std::abs(strain() - from_strain_) >= *config_.every_strain) return true;
   if (config_.every_simulated && now.time - from_.time >= *config_.every_simulated) return true;
   return std::chrono::duration<double>(Clock::now() - last_).count() >= config_.every;
 }

@@ -14,14 +14,14 @@ namespace breccia {
 struct RunProgress {
   double time = 0;  ///< simulated [s]
   std::uint64_t step = 0;
-  double strain = 0;  ///< axial, of the last row of the curves
 };
 
 class Checkpoints {
  public:
   /// `folder`: of the results; the files go to `checkpoints` in it. `write`: gives an archive all that the run is made
-  /// of, and returns who has no place in it.
-  Checkpoints(const CheckpointsConfig& config, const std::filesystem::path& folder,
+  /// of, and returns who has no place in it. `curves`: with all their columns. AtPath when these have no strain and it
+  /// is asked for.
+  Checkpoints(const CheckpointsConfig& config, const std::filesystem::path& folder, const Curves& curves,
               std::function<std::vector<std::string>(Archive&)> write, Host& host);
 
   /// Before each step: writes one if it is time. `stop`: it is the last moment.
@@ -31,16 +31,21 @@ class Checkpoints {
 
  private:
   using Clock = std::chrono::steady_clock;
-  bool due(const RunProgress& now) const;
+  bool due(const RunProgress& now);
+  double strain();
   void save(const RunProgress& now);
   void missed(const RunProgress& now, const std::string& why);
 
   CheckpointsConfig config_;
   std::filesystem::path folder_;
+  const Curves& curves_;
   std::function<std::vector<std::string>(Archive&)> write_;
   Host& host_;
   Clock::time_point last_ = Clock::now();
   RunProgress from_;
+  const char* strain_curve_ = nullptr;
+  std::size_t rows_ = 0;                 ///< of the curves, when the strain was looked at
+  double strain_ = 0, from_strain_ = 0;  ///< axial; when the last one was written
   bool impossible_ = false, failing_ = false;
 };
 

@@ -39,15 +39,6 @@ std::size_t set_up(const SimulationView& view, LoadControl& control, Protocol& p
   return time;
 }
 
-class Silent final : public Host {
- public:
-  void info(std::string_view) override {}
-  void warn(std::string_view) override {}
-  void progress(std::string_view, double) override {}
-  bool cancelled() const override { return false; }
-  int threads() const override { return 1; }
-};
-
 /// A block of spheres, or a sheet of discs, that touch.
 PackedParticles stand_in(const PackingRequest& request, SpecimenShape::Outline outline) {
   constexpr double r = 1e-3;
@@ -80,7 +71,7 @@ void check_curves(const Workflow& w, const Registry& registry) {
   for (const auto outline : {SpecimenShape::Outline::cylinder, SpecimenShape::Outline::box}) {
     CurveTable curves;
     std::vector<Listed<Postprocessor>> postprocessors;
-    Silent host;
+    SilentHost host;
     try {
       ContactLaws laws(registry, with_means(w.contact_law));
       Simulation simulation(assemble(stand_in(w.packing_request(), outline), {2650.0}, int(w.dimension), w.thickness),

@@ -5,71 +5,19 @@
 
 #include <chrono>
 #include <cstring>
-#include <random>
 
-#include "config/reader.hpp"
-#include "run/law_rig.hpp"
+#include "run/law_ways.hpp"
 
 namespace breccia {
 namespace {
-
-/// Where a pair along x is led, at the end of the way: j relative to i, in radii and radians.
-struct Way {
-  std::string name;
-  Vec3 shift = Vec3::Zero();  ///< of j; across x it shears
-  Vec3 turn_i = Vec3::Zero(), turn_j = Vec3::Zero();
-  bool bonded = true;
-};
-
-constexpr double radius = 1e-3;  // of the larger sphere, i [m]
-
-Vec3 unit(std::mt19937_64& random) {
-  std::normal_distribution<double> n;
-  return Vec3(n(random), n(random), n(random)).normalized();
-}
-
-std::vector<Way> ways(bool bonded) {
-  std::mt19937_64 random(7);
-  std::vector<Way> all;
-  if (bonded) all.push_back({"tension", Vec3(1, 0, 0)});
-  all.push_back({"compression", Vec3(-1, 0, 0)});
-  const double pressed = bonded ? 0 : -0.3;  // what is not bonded must be pressed
-  for (int k = 0; k < 3; ++k) {
-    const double angle = 0.4 + 2.1 * k;
-    const Vec3 across(0, std::cos(angle), std::sin(angle));
-    all.push_back(
-        {fmt::format("shear along (0, {:.2f}, {:.2f})", across.y(), across.z()), across + Vec3(pressed, 0, 0)});
-    all.push_back({fmt::format("bending about (0, {:.2f}, {:.2f})", across.y(), across.z()), Vec3(pressed, 0, 0),
-                   -across, across});
-  }
-  all.push_back({"twist", Vec3(pressed, 0, 0), Vec3(-1, 0, 0), Vec3(1, 0, 0)});
-  for (int k = 0; k < 4; ++k) {
-    Vec3 shift = unit(random);
-    if (!bonded) shift.x() = -std::abs(shift.x());
-    all.push_back({fmt::format("motion of all kinds, no. {}", k + 1), shift, unit(random), unit(random)});
-  }
-  for (Way& w : all) w.bonded = bonded;
-  return all;
-}
-
-std::string bonded_text(bool bonded) { return bonded ? "bonded pair" : "contact without a bond"; }
-
-/// The motion that leads the given share of a way in one step of `dt`.
-PairMotion motion(const Way& way, double amplitude, double share, double dt) {
-  PairMotion m;
-  const double rate = amplitude * share / dt;
-  m.velocity_j = rate * radius * way.shift;
-  m.spin_i = rate * way.turn_i;
-  m.spin_j = rate * way.turn_j;
-  return m;
-}
 
 class LawCheck {
  public:
   LawCheck(const Registry& registry, const PluginChoice& choice) : registry_(registry), choice_(choice) {
     law_ = make(choice.config);
     const ContactStiffness k = LawRig(*law_, {}, 1e-9).stiffness();
-    const double mass = 1e-5, stiffest = std::max({k.normal, k.shear, (k.bending + k.torsion) / (radius * radius)});
+    const double mass = 1e-5,
+                 stiffest = std::max({k.normal, k.shear, (k.bending + k.torsion) / (checked_radius * checked_radius)});
     scale_ = std::max(law_->makes_bonds() ? 0.0 : LawRig::spring_before, std::isfinite(stiffest) ? stiffest : 0.0);
     dt_ = stiffest > 0 && std::isfinite(stiffest) ? 0.05 * std::sqrt(mass / stiffest) : 1e-8;
   }
@@ -91,7 +39,7 @@ class LawCheck {
  private:
   std::unique_ptr<GuardedLaw> make(const Json& config) const {
     auto law = std::make_unique<GuardedLaw>(registry_.create<ContactLaw>({choice_.type, config}), choice_.type);
-    const std::vector<double> r = {radius, 0.8 * radius}, m = {1.1e-5, 5.7e-6};
+    const std::vector<double> r = {checked_radius, 0.8 * checked_radius}, m = {1.1e-5, 5.7e-6};
     const std::vector<Index> i = {0}, j = {1};
     Assembly a;
     a.radius = r;
@@ -121,10 +69,10 @@ class LawCheck {
     Way way;
     way.bonded = bonded;
     LawRig pair = rig(way, dt_);
-    const double scale = scale_ * radius;
+    const double scale = scale_ * checked_radius;
     const double force = pair.last().force.norm();
     add("no force where nothing was moved, " + bonded_text(bonded),
-        force <= 1e-9 * scale && pair.energy() <= 1e-12 * scale * radius,
+        force <= 1e-9 * scale && pair.energy() <= 1e-12 * scale * checked_radius,
         fmt::format("{:.3g} N, {:.3g} J", force, pair.energy()),
         "at `rest_length` a new pair must be free of force and energy: look at `initial` and where displacements "
         "start");
@@ -138,7 +86,7 @@ class LawCheck {
       double ContactStiffness::*stated;
       Vec3 shift, turn;
     };
-    const double a = radius, b = 0.8 * radius;
+    const double a = checked_radius, b = 0.8 * checked_radius;
     for (const Direction& d : {Direction{"normal", &ContactStiffness::normal, Vec3(-1, 0, 0), Vec3::Zero()},
                                {"shear", &ContactStiffness::shear, Vec3(0, 0.6, 0.8), Vec3::Zero()},
                                {"bending", &ContactStiffness::bending, Vec3::Zero(), Vec3(0, 0.6, 0.8)},
@@ -146,7 +94,7 @@ class LawCheck {
       Way way{d.name, d.shift, -0.5 * d.turn, 0.5 * d.turn, bonded};
       // Bending without shear: the contact point of both stays.
       const Vec3 n(1, 0, 0);
-      way.shift += (a * way.turn_i + b * way.turn_j).cross(n) / radius;
+      way.shift += (a * way.turn_i + b * way.turn_j).cross(n) / checked_radius;
       LawRig pair = rig(way, slow);
       Way press;
       press.shift = Vec3(-1, 0, 0);
@@ -159,8 +107,8 @@ class LawCheck {
       const bool turns = !d.turn.isZero(0);
       const double slope =
           turns ? 0.5 * ((after.torque_i - before.torque_i) - (after.torque_j - before.torque_j)).norm() / tiny
-                : (after.force - before.force).norm() / (tiny * radius);
-      if (slope <= 1e-6 * scale_ * (turns ? radius * radius : 1) && stated == 0) continue;
+                : (after.force - before.force).norm() / (tiny * checked_radius);
+      if (slope <= 1e-6 * scale_ * (turns ? checked_radius * checked_radius : 1) && stated == 0) continue;
       add(fmt::format("stiffness, {}, {}", d.name, bonded_text(bonded)), stated >= 0.95 * slope,
           fmt::format("stated {:.4g}, the force's slope {:.4g} {}", stated, slope, turns ? "N m/rad" : "N/m"),
           fmt::format("`stiffness` states too little in `{}`: the time step will be too long", d.name));
@@ -240,19 +188,20 @@ class LawCheck {
       exchanged.swapped = true;
       LawRig a(*law_, start, dt_), r(*law_, rotated, dt_), s(*law_, exchanged, dt_);
       constexpr double amplitude = 0.002;
-      double most = 1e-6 * scale_ * amplitude * radius, off_turned = 0, off_swapped = 0;
+      double most = 1e-6 * scale_ * amplitude * checked_radius, off_turned = 0, off_swapped = 0;
       constexpr int steps = 400;
       for (int k = 0; k < steps; ++k) {
         const PairMotion m = motion(way, amplitude, 1.0 / steps, dt_);
         const PairResponse x = a.step(m), y = r.step(m), z = s.step(m);
         if (r.intact() != a.intact() || s.intact() != a.intact()) break;  // rounding may part them by a step
-        most = std::max({most, x.force.norm(), (x.torque_i.norm() + x.torque_j.norm()) / radius});
+        most = std::max({most, x.force.norm(), (x.torque_i.norm() + x.torque_j.norm()) / checked_radius});
         const Mat3& turn = rotated.turned;
-        off_turned =
-            std::max({off_turned, (y.force - turn * x.force).norm(), (y.torque_i - turn * x.torque_i).norm() / radius,
-                      (y.torque_j - turn * x.torque_j).norm() / radius});
-        off_swapped = std::max({off_swapped, (z.force + x.force).norm(), (z.torque_i - x.torque_j).norm() / radius,
-                                (z.torque_j - x.torque_i).norm() / radius});
+        off_turned = std::max({off_turned, (y.force - turn * x.force).norm(),
+                               (y.torque_i - turn * x.torque_i).norm() / checked_radius,
+                               (y.torque_j - turn * x.torque_j).norm() / checked_radius});
+        off_swapped =
+            std::max({off_swapped, (z.force + x.force).norm(), (z.torque_i - x.torque_j).norm() / checked_radius,
+                      (z.torque_j - x.torque_i).norm() / checked_radius});
       }
       if (most > 0) turned = std::max(turned, off_turned / most), swapped = std::max(swapped, off_swapped / most);
     }
@@ -271,7 +220,7 @@ class LawCheck {
     LawRig pair(*law_, {}, dt_, PairChunk::capacity);
     PairChunk& g = pair.chunk();
     for (std::size_t k = 0; k < g.size; ++k) {
-      const Vec3 d = unit(random) * g.rest[k] * (1 + 2e-3 * u(random));
+      const Vec3 d = random_direction(random) * g.rest[k] * (1 + 2e-3 * u(random));
       g.dx[k] = d.x(), g.dy[k] = d.y(), g.dz[k] = d.z();
       for (double* v : {g.vx, g.vy, g.vz}) v[k] = 0.1 * u(random);
       for (double* w : {g.wix, g.wiy, g.wiz, g.wjx, g.wjy, g.wjz}) w[k] = 50 * u(random);
@@ -376,16 +325,12 @@ class LawCheck {
     std::string text = fmt::format("{:.2g} ns a pair and step", own);
     const auto names = registry_.names(ContactLaw::kind);
     if (const std::string other = "elastic_brittle"; std::find(names.begin(), names.end(), other) != names.end()) {
-      LawCheck reference(registry_, {other, config_of(registry_, other)});
+      LawCheck reference(registry_, example_law(registry_, other));
       text += fmt::format("; `{}` {:.2g}", other, nanoseconds(*reference.law_));
     }
     add("speed", true, text, "");
   }
 
- public:
-  static Json config_of(const Registry& registry, const std::string& law);
-
- private:
   const Registry& registry_;
   PluginChoice choice_;
   std::unique_ptr<GuardedLaw> law_;
@@ -393,32 +338,7 @@ class LawCheck {
   std::vector<LawFinding> found_;
 };
 
-struct LawSection {
-  PluginChoice contact_law;
-};
-
-Json LawCheck::config_of(const Registry& registry, const std::string& law) {
-  Schema<LawSection> schema;
-  schema.param("contact_law", &LawSection::contact_law).kind("contact_law").doc("the law");
-  return schema.load(read_config(example_section(registry, law), law, schema.documentation().root, registry))
-      .contact_law.config;
-}
-
 }  // namespace
-
-std::string example_section(const Registry& registry, const std::string& law) {
-  const ParamSpec& root = registry.documentation(ContactLaw::kind, law).root;
-  std::string text = "contact_law:\n  type: " + law + "\n";
-  const auto chosen = [&](const std::string& name) {
-    for (const auto& group : root.exactly_one_of)
-      if (std::find(group.begin(), group.end(), name) != group.end()) return group.front() == name;
-    return false;
-  };
-  for (const ParamSpec& p : root.members)
-    if (p.fallback.is_null() && !p.example.empty() && (p.required || chosen(p.name)))
-      text += "  " + p.name + ": " + p.example + "\n";
-  return text;
-}
 
 std::vector<LawFinding> check_law(const Registry& registry, const PluginChoice& law) {
   return LawCheck(registry, law)();

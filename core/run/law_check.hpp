@@ -16,9 +16,10 @@ struct LawFinding {
   std::string mend;      ///< what to look at when it does not hold
 };
 
-/// A configuration of the law: its defaults and, for what has none, the examples of its declarations.
-/// In the form of a workflow's section.
-std::string example_section(const Registry& registry, const std::string& law);
+/// A configuration of the law: `parameters` ("friction=0.3"), its defaults and, for what has none, the examples of its
+/// declarations. ConfigError when that does not do.
+PluginChoice example_law(const Registry& registry, const std::string& law,
+                         const std::vector<std::string>& parameters = {});
 
 /// The law of that configuration (checked, SI) through all trials, in their order. Deterministic, but for the last one,
 /// which takes its time. PluginFault where the law itself throws.

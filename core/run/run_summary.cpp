@@ -37,6 +37,42 @@ void sum_up_engine(SummaryTable& summary, const Workflow& w, const Simulation& s
   summary.set("neighbour_list_rebuilds", sim.rebuilds());
 }
 
+void sum_up_laws(SummaryTable& summary, const ContactLaws& laws, const std::vector<std::vector<DrawnParameter>>& drawn,
+                 const State& state) {
+  for (std::size_t l = 0; l < laws.size(); ++l) {
+    SummaryTable::Section section(summary, laws.name(l));
+    for (auto& [name, value] : laws.law(l).derived()) section.own(name, std::move(value));
+    Json scatter = Json::array();
+    for (const DrawnParameter& one : drawn[l]) scatter.push_back(one.json());
+    if (!scatter.empty()) section.own("scatter", scatter);
+    if (laws.size() == 1) continue;  // of one law the ledger says the same
+    const Dissipated& lost = state.dissipated[l];
+    section.own({"friction", "J"}, lost.friction);
+    section.own({"contact", "J"}, lost.contact);
+    section.own({"fracture", "J"}, lost.fracture);
+  }
+}
+
+void sum_up_packing(SummaryTable& summary, const std::vector<AskedGot>& report) {
+  for (const AskedGot& line : report) {
+    Json entry = {{"unit", line.unit}, {"got", line.got}};
+    if (line.asked) entry["asked"] = *line.asked;
+    SummaryTable::Section(summary, "packing").own(line.name, entry);
+  }
+}
+
+std::string bonds_text(const BondingResult& bonding, std::size_t bonds) {
+  return fmt::format("{} bonds: coordination number {:.4f}, {}", bonds, bonding.coordination_number,
+                     bonding.measure == GapMeasure::relative ? fmt::format("tolerance {:.4f}", bonding.limit)
+                                                             : fmt::format("gap {:.4g} m", bonding.limit));
+}
+
+std::string added_mass_text(const Simulation& sim) {
+  const AddedMass& added = sim.added_mass();
+  return fmt::format("added mass: {:.4g} % of the total, to {} of {} particles, at most {:.4g} times their own",
+                     100 * added.share, added.particles, sim.state().particles.size(), added.largest_factor);
+}
+
 std::string step_text(const Simulation& sim, TimeStep rule, int threads) {
   return fmt::format(
       "time step {:.4g} s ({:.3g} of the critical, {}), {} pairs, {} thread{}", sim.time_step(),

@@ -4,6 +4,8 @@
 
 #include "engine/simulation.hpp"
 #include "output/summary_table.hpp"
+#include "run/contact_laws.hpp"
+#include "run/scatter_summary.hpp"
 #include "run/workflow.hpp"
 
 namespace breccia {
@@ -19,6 +21,14 @@ struct ProcessOfRun {
 void sum_up_engine(SummaryTable& summary, const Workflow& w, const Simulation& sim, const BondingResult& bonding,
                    double porosity, const ProcessOfRun& run);
 
+/// What each law has derived, what its bonds have drawn (`drawn`: law by law), and what it has dissipated.
+void sum_up_laws(SummaryTable& summary, const ContactLaws& laws, const std::vector<std::vector<DrawnParameter>>& drawn,
+                 const State& state);
+void sum_up_packing(SummaryTable& summary, const std::vector<AskedGot>& report);
+
+/// How many bonds there are, and by which rule.
+std::string bonds_text(const BondingResult& bonding, std::size_t bonds);
+std::string added_mass_text(const Simulation& sim);
 /// The time step and where it comes from, pairs and threads.
 std::string step_text(const Simulation& sim, TimeStep rule, int threads);
 /// A line of the packing's report.

@@ -32,6 +32,7 @@
 #include "run/packing_cache.hpp"
 #include "run/provenance.hpp"
 #include "run/render.hpp"
+#include "run/run_archive.hpp"
 #include "run/run_summary.hpp"
 #include "run/scatter_summary.hpp"
 #include "run/threads.hpp"
@@ -42,12 +43,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-class RunLog final : public WarningLog<RunMonitor> {
- public:
-  using WarningLog::WarningLog;
-  void status(const RunStatus& status) override { to_.status(status); }
-};
 
 /// Everything of one run; each step of `run_workflow` is a member.
 class Run {
@@ -114,10 +109,7 @@ class Run {
       bonding_ = simulation_->bond(w_.bonding.rule());
     });
     memory_is_for(simulation_->state().particles.size(), simulation_->state().bonds.size());
-    const bool relative = bonding_.measure == GapMeasure::relative;
-    monitor_.info(fmt::format(
-        "{} bonds: coordination number {:.4f}, {}", simulation_->state().bonds.size(), bonding_.coordination_number,
-        relative ? fmt::format("tolerance {:.4f}", bonding_.limit) : fmt::format("gap {:.4g} m", bonding_.limit)));
+    monitor_.info(bonds_text(bonding_, simulation_->state().bonds.size()));
     const SimulationView view = simulation_->view();
     for (std::size_t l = 0; l < laws_->size(); ++l) {
       drawn_.push_back(drawn_parameters(laws_->named(l), view));
@@ -134,7 +126,8 @@ class Run {
       simulation_->prepare();
       check_time_step(*simulation_, w_.checks, monitor_);
     });
-    find_strain();
+    checkpoints_.emplace(
+        w_.checkpoints, options_.folder, curves_, [&](Archive& to) { return archive_run(to, parts()); }, monitor_);
     loading_checks_.emplace(w_.checks);
     curves_.open(options_.folder / "curves.csv");
   }
@@ -159,36 +152,23 @@ class Run {
     laws_->within([&] { simulation_->take_specimen(branch_->archive()); });
   }
 
-  void find_strain() {
-    for (const char* name : {"axial_strain", "platen_strain"})
-      for (std::size_t c = 0; !strain_name_ && c < curves_.columns().size(); ++c)
-        if (curves_.columns()[c].name == name) strain_name_ = name;
-    if (w_.checkpoints.every_strain && !strain_name_)
-      throw AtPath("checkpoints.every_strain",
-                   "checkpoints.every_strain: this workflow has no curve `axial_strain` or `platen_strain`");
-  }
-  RunProgress progress() const {
-    const bool known = w_.checkpoints.every_strain && curves_.rows() > 0;
-    return {simulation_->time(), simulation_->state().step, known ? curves_.column(*strain_name_).back() : 0};
-  }
+  RunProgress progress() const { return {simulation_->time(), simulation_->state().step}; }
 
   void loop() {
     Simulation& sim = *simulation_;
-    report_added_mass();
+    if (w_.engine.added_mass > 0) monitor_.info(added_mass_text(sim));
     monitor_.info(step_text(sim, w_.engine.time_step, monitor_.threads()));
     Loading& loading = loading_.emplace(sim, *laws_, *protocol_, protocol_id(),
                                         Sampling{std::uint64_t(w_.sampling.every_steps), w_.sampling.load_change});
-    Checkpoints checkpoints(
-        w_.checkpoints, options_.folder, [&](Archive& to) { return archive(to); }, monitor_);
     if (options_.resume) go_on();
     else if (branch_) enter_branch();
     branch_.reset();  // with the file
     first_step_ = sim.state().step;
-    checkpoints.start_from(progress());
+    checkpoints_->start_from(progress());
     try {
       for (;;) {
         const bool cancelled = monitor_.cancelled();
-        checkpoints.at(progress(), cancelled || (w_.checkpoints.at_end && loading.ends()));
+        checkpoints_->at(progress(), cancelled || (w_.checkpoints.at_end && loading.ends()));
         auto start = Clock::now();
         in_row_ = false;
         const LoadingStep now = loading.step(cancelled);
@@ -225,79 +205,27 @@ class Run {
     curves_.close();
   }
 
-  /// All that the steps to come depend on, both ways. Returns who does not say what belongs there.
-  std::vector<std::string> archive(Archive& to) {
-    std::vector<std::string> unknown;
-    if (!to.reading()) to("about", about_);
-    if (!to.reading()) to("warnings", monitor_);
-    archive_test(to, unknown);
-    archive_measured(to, unknown);
-    frames_->archive(to, unknown);
-    return unknown;
-  }
-
-  void archive_test(Archive& to, std::vector<std::string>& unknown) {
-    to("engine", *simulation_);
-    to("loading", *loading_);
-    {
-      const Archive::Group group(to, "protocol");
-      calling(protocol_id(), to.reading() ? "reading a checkpoint" : "writing a checkpoint", [&] {
-        if (!protocol_->archive(to)) unknown.push_back("protocol `" + w_.protocol.type + "`");
-      });
-    }
-    to("loading_checks", *loading_checks_);
-  }
-
-  void archive_measured(Archive& to, std::vector<std::string>& unknown) {
-    {
-      const Archive::Group posts(to, "postprocessors");
-      for (auto& p : posts_) {
-        const Archive::Group group(to, p.label());
-        p.archive(to, unknown);
-      }
-    }
-    to("curves", curves_);
-    to("energy_check", energy_check_);
+  RunParts parts() {
+    return {about_, monitor_, *simulation_, *loading_,     *protocol_,      protocol_id(),
+            posts_, *frames_, curves_,      energy_check_, *loading_checks_};
   }
 
   void enter_branch() {
     if (branch_->goes_on()) monitor_.info(branch_->text());
     for (const std::string& d : branch_->differences()) monitor_.info("  " + d);
     if (!branch_->goes_on()) return;
-    std::vector<std::string> unknown;
-    const std::size_t walls = simulation_->state().walls.size();
-    archive_test(branch_->archive(), unknown);
-    if (branch_->measured()) {
-      archive_measured(branch_->archive(), unknown);
-      branch_->archive()("warnings", monitor_);  // of what is measured they are a part
-    }
-    if (!unknown.empty())
-      throw UserError("the checkpoint cannot be used: " + unknown.front() + " does not say what changes in it");
-    if (const std::size_t there = simulation_->state().walls.size(); there != walls)
-      throw UserError(places_.with_place(
-          "protocol", fmt::format("protocol: with these values the test has {} walls, that of the checkpoint {}: it "
-                                  "cannot go on; from.protocol: new begins one of its own",
-                                  walls, there)));
+    read_branch(branch_->archive(), parts(), branch_->measured());
     if (!branch_->needs_adapting()) return;
     laws_->within([&] { simulation_->adapt(); });
     monitor_.info(step_text(*simulation_, w_.engine.time_step, monitor_.threads()));
   }
 
   void go_on() {
-    if (const auto unknown = archive(*options_.resume->checkpoint); !unknown.empty())
-      throw UserError("the checkpoint cannot be used: " + unknown.front() + " does not say what changes in it");
+    read_run(*options_.resume->checkpoint, parts());
     monitor_.info(fmt::format("goes on from {}: step {}, {:.4g} s, {} rows of curves",
                               options_.resume->checkpoint->file().string(), simulation_->state().step,
                               simulation_->time(), curves_.rows()));
     options_.resume->checkpoint.reset();
-  }
-
-  void report_added_mass() {
-    if (w_.engine.added_mass <= 0) return;
-    const AddedMass& added = simulation_->added_mass();
-    monitor_.info(
-        fmt::format("added mass: {:.4g} % of the total, to {} of {} particles, at most {:.4g} times their own",
-                    100 * added.share, added.particles, simulation_->state().particles.size(), added.largest_factor));
   }
 
   /// What was measured so far is kept, and says so.
@@ -361,29 +289,10 @@ class Run {
   void finish() {
     sum_up_engine(summary_, w_, *simulation_, bonding_, packing_porosity(),
                   {interrupted_, monitor_.threads(), first_step_, loop_seconds_});
-    attempt([&] { sum_up_laws(); });
+    attempt([&] { sum_up_laws(summary_, *laws_, drawn_, simulation_->state()); });
     if (viewable_) finish_plugins(simulation_->view());
-    for (const AskedGot& line : packing_.particles.report) {
-      Json entry = {{"unit", line.unit}, {"got", line.got}};
-      if (line.asked) entry["asked"] = *line.asked;
-      SummaryTable::Section(summary_, "packing").own(line.name, entry);
-    }
+    sum_up_packing(summary_, packing_.particles.report);
     summary_.set("reference", w_.reference);
-  }
-
-  void sum_up_laws() {
-    for (std::size_t l = 0; l < laws_->size(); ++l) {
-      SummaryTable::Section section(summary_, laws_->name(l));
-      for (auto& [name, value] : laws_->law(l).derived()) section.own(name, std::move(value));
-      Json scatter = Json::array();
-      for (const DrawnParameter& drawn : drawn_[l]) scatter.push_back(drawn.json());
-      if (!scatter.empty()) section.own("scatter", scatter);
-      if (laws_->size() == 1) continue;  // of one law the ledger says the same
-      const Dissipated& lost = simulation_->state().dissipated[l];
-      section.own({"friction", "J"}, lost.friction);
-      section.own({"contact", "J"}, lost.contact);
-      section.own({"fracture", "J"}, lost.fracture);
-    }
   }
 
   /// Those that have failed have nothing to say.
@@ -464,7 +373,7 @@ class Run {
   std::optional<Loading> loading_;
   CheckpointAbout about_;
   std::optional<Branch> branch_;
-  std::optional<std::string> strain_name_;  ///< of the curve
+  std::optional<Checkpoints> checkpoints_;
   std::size_t time_column_ = 0;
   double loop_seconds_ = 0;
   std::uint64_t first_step_ = 0;  ///< of this process: 0 unless the run went on

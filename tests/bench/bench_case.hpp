@@ -18,12 +18,9 @@
 namespace breccia::bench {
 
 /// Only warnings.
-class Quiet final : public Host {
+class Quiet final : public SilentHost {
  public:
-  void info(std::string_view) override {}
   void warn(std::string_view text) override;
-  void progress(std::string_view, double) override {}
-  bool cancelled() const override { return false; }
   int threads() const override { return 2; }
 };
 

@@ -138,17 +138,22 @@ TEST_F(Checks, AStepThatTakesThePlatensThroughTheSpecimenIsRefused) {
 
 TEST_F(Checks, WhatCannotBeReckonedWithIsRefusedWithItsReason) {
   lattice();
-  const auto refused = [&](const std::string& setting) {
+  const auto refused = [&](const std::string& setting, const std::string& reason) {
     const Result r = call("run w.yaml --output out --overwrite " + setting);
     EXPECT_EQ(r.code, 2) << r.text;
-    EXPECT_TRUE(has(r.text, "check radii and material.density") || has(r.text, "1e30 m")) << r.text;
+    EXPECT_TRUE(has(r.text, reason)) << r.text;
   };
-  refused("--set material.density='1e-300 kg/m3'");
-  for (const std::string power : {"e-97", "e203"}) {  // in millimetres
+  refused("--set material.density='1e-300 kg/m3'", "check radii and material.density");
+  const auto spheres_of = [&](const std::string& power) {  // in millimetres
     write("p.csv", "x,y,z,radius\n1" + power + ",1" + power + ",1" + power + ",1" + power + "\n3" + power + ",1" +
                        power + ",1" + power + ",1" + power + "\n");
-    refused("");
-  }
+  };
+  spheres_of("e-97");
+  refused("", "p.csv, line 2: the radius is not between 1e-30 m and 1e30 m");
+  spheres_of("e203");
+  refused("", "p.csv, line 2: the centre is farther than 1e30 m from the origin");
+  spheres_of("e-20");  // the reader has nothing against them
+  refused("--set material.density='1e-270 kg/m3'", "check radii and material.density");
 }
 
 TEST_F(Checks, ParticlesWithoutABond) {

@@ -55,13 +55,4 @@ bool is_read(F&& read) {
   }
 }
 
-class SilentHost final : public Host {
- public:
-  void info(std::string_view) override {}
-  void warn(std::string_view) override {}
-  void progress(std::string_view, double) override {}
-  bool cancelled() const override { return false; }
-  int threads() const override { return 1; }
-};
-
 }  // namespace breccia::fuzz

@@ -11,10 +11,9 @@
 
 namespace breccia {
 
-class TestHost final : public Host {
+class TestHost final : public SilentHost {
  public:
   explicit TestHost(int threads = 1) : threads_(threads) {}
-  void info(std::string_view) override {}
   void warn(std::string_view text) override { warnings += std::string(text) + "\n"; }
   void progress(std::string_view what, double done) override {
     never_back = never_back && (done >= last || what != last_what);

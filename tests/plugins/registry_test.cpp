@@ -40,13 +40,7 @@ TEST_F(RegistryTest, NamesAreKnownWithoutOpeningAFile) {
 
 TEST_F(RegistryTest, MakesAWorkingPluginOfEachKind) {
   const Registry registry({{folder.path(), ""}});
-  struct Silent : Host {
-    void info(std::string_view) override {}
-    void warn(std::string_view) override {}
-    void progress(std::string_view, double) override {}
-    bool cancelled() const override { return false; }
-    int threads() const override { return 1; }
-  } host;
+  SilentHost host;
   EXPECT_EQ(registry.create<Packing>(tiny(3))->generate({}, host).radius, std::vector<double>{3});
   double stored = 0;
   registry.create<ContactLaw>(tiny(4))->energy({}, nullptr, &stored);

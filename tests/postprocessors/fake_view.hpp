@@ -112,13 +112,9 @@ struct FakeSimulation {
   }
 };
 
-class FakeHost final : public Host {
+class FakeHost final : public SilentHost {
  public:
-  void info(std::string_view) override {}
   void warn(std::string_view text) override { warnings.emplace_back(text); }
-  void progress(std::string_view, double) override {}
-  bool cancelled() const override { return false; }
-  int threads() const override { return 1; }
   std::vector<std::string> warnings;
 };
 

@@ -12,15 +12,6 @@
 
 namespace breccia::testing {
 
-class QuietHost final : public Host {
- public:
-  void info(std::string_view) override {}
-  void warn(std::string_view) override {}
-  void progress(std::string_view, double) override {}
-  bool cancelled() const override { return false; }
-  int threads() const override { return 1; }
-};
-
 /// Curves in memory.
 class Rows final : public Recorder, public Curves {
  public:
@@ -107,7 +98,7 @@ class ProtocolRun {
   std::map<std::string, Json> summary;
 
  private:
-  QuietHost host_;
+  SilentHost host_;
   std::optional<ContactLaws> laws_;
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<Protocol> protocol_;

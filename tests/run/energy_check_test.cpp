@@ -8,12 +8,8 @@
 namespace breccia {
 namespace {
 
-struct Listener final : Host {
-  void info(std::string_view) override {}
+struct Listener final : SilentHost {
   void warn(std::string_view text) override { warnings.emplace_back(text); }
-  void progress(std::string_view, double) override {}
-  bool cancelled() const override { return false; }
-  int threads() const override { return 1; }
   std::vector<std::string> warnings;
 };
 

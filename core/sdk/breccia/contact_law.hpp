@@ -159,14 +159,11 @@ class ContactLawOf final : public ContactLaw {
     });
   }
   ContactForce answer(const PairChunk& chunk, std::size_t k, double* const* history) override {
-    ContactForce f;
-    for_each(chunk, history, [&](const Law& law, const Contact& c, std::size_t at) {
-      if (at != k) return;
-      typename Law::State s;
-      detail::load_state<Law>(s, history, k, all);
-      f = law(c, s);
-      detail::store_state<Law>(s, history, k, all);
-    });
+    typename Law::State s;
+    detail::load_state<Law>(s, history, k, all);
+    const ContactForce f =
+        detail::law_of(variety(chunk, history), k)(detail::contact_of<true>(chunk, k, chunk.time_step, 0.0), s);
+    detail::store_state<Law>(s, history, k, all);
     return f;
   }
   Results derived() const override {

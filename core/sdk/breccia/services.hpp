@@ -26,6 +26,16 @@ class Host {
   ~Host() = default;
 };
 
+/// A host that nobody listens to: for trials and tests, which overload what they want to know.
+class SilentHost : public Host {
+ public:
+  void info(std::string_view) override {}
+  void warn(std::string_view) override {}
+  void progress(std::string_view, double) override {}
+  bool cancelled() const override { return false; }
+  int threads() const override { return 1; }
+};
+
 struct Column {
   std::string name;  ///< unique, lower case with underscores, without the unit
   std::string unit;  ///< SI; "1" for a pure number
