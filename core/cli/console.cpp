@@ -2,6 +2,7 @@
 #include "cli/console.hpp"
 
 #include <fmt/format.h>
+#include <pthread.h>
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
@@ -11,6 +12,7 @@
 #include <ctime>
 
 #include "breccia/utf8.hpp"
+#include "plugin/guarded.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -18,20 +20,46 @@ namespace {
 volatile std::sig_atomic_t stop_requested = 0;
 volatile std::sig_atomic_t first_request = 0;  // [s], of a clock that cannot be set
 
+constexpr unsigned patience = 3;  // [s] for a plugin to come back
+pthread_t own_thread;
+
+/// As a signal handler may: without memory from the heap.
+void write_words(std::initializer_list<std::string_view> words) {
+  for (const std::string_view w : words) (void)!write(STDERR_FILENO, w.data(), w.size());
+}
+
+/// What the program's own thread is doing in a plugin, if it is; `lead` before it, `end` after it.
+void name_plugin_at_work(std::string_view lead, std::string_view end) {
+  if (const AtWork* at = AtWork::innermost())
+    write_words({"\nbreccia: ", lead, at->plugin.kind, " `", at->plugin.type, "` is still ", at->doing, end, "\n"});
+}
+
 /// The first signal asks the run to stop. One that comes at once after it is no second thought: `timeout` and batch
 /// systems signal the process and its group, a closing terminal sends SIGHUP and SIGTERM. Only a later one ends the
 /// program, for a run that is stuck in a plugin.
 extern "C" void on_signal(int signal) {
+  if (!pthread_equal(pthread_self(), own_thread)) {
+    pthread_kill(own_thread, signal);
+    return;
+  }
   timespec now{};
   clock_gettime(CLOCK_MONOTONIC, &now);
   if (stop_requested) {
     if (now.tv_sec - first_request < 2) return;
+    name_plugin_at_work("ended at once: ", "");
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   } else {
     first_request = std::sig_atomic_t(now.tv_sec);
     stop_requested = 1;
+    alarm(patience);
   }
+}
+
+extern "C" void on_alarm(int) {
+  if (pthread_equal(pthread_self(), own_thread))
+    name_plugin_at_work("asked to stop, but ", "; asked once more, the program ends at once");
+  else pthread_kill(own_thread, SIGALRM);
 }
 
 /// To the terminal, if there still is one: a closed pipe (`| head`) does not end a run.
@@ -49,6 +77,8 @@ std::string clock_text(double seconds) {
 }  // namespace
 
 Console::Console(int threads) : threads_(threads), terminal_(isatty(STDERR_FILENO) == 1) {
+  own_thread = pthread_self();
+  std::signal(SIGALRM, on_alarm);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction now {};
     sigaction(signal, nullptr, &now);
@@ -63,6 +93,7 @@ Console::Console(int threads) : threads_(threads), terminal_(isatty(STDERR_FILEN
 
 Console::~Console() {
   clear_bar();
+  alarm(0);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction now {};
     sigaction(signal, nullptr, &now);

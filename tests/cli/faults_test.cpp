@@ -90,6 +90,21 @@ TEST_F(Faults, WhateverIsThrown) {
   expect_named(set("file"), failed + "cannot use dial.txt: Permission denied");
 }
 
+TEST_F(Faults, APluginThatNeverComesBackIsNamedWhenTheRunIsToStop) {
+  for (const auto& [at, doing] : {std::pair{"constructor", "being set up"}, {"prepare", "deriving its constants"}}) {
+    SCOPED_TRACE(at);
+    // Asked to stop after one second, and again after five.
+    const Result r = call(
+        "run small.yaml --output out --set 'contact_law={type: faulty, at: " + std::string(at) + ", throws: never}'",
+        "timeout --foreground -k 30 -s INT 5 timeout --foreground -s INT 1");
+    EXPECT_NE(r.code, 0);
+    const std::string still = "contact_law `faulty` is still " + std::string(doing);
+    EXPECT_TRUE(has(r.text, "breccia: asked to stop, but " + still + "; asked once more, the program ends at once"))
+        << r.text;
+    EXPECT_TRUE(has(r.text, "breccia: ended at once: " + still)) << r.text;
+  }
+}
+
 TEST_F(Faults, UnderWayTheCurvesSoFarAreKept) {
   const auto expect_kept = [&](const std::string& sets, const std::string& text) {
     SCOPED_TRACE(sets);
