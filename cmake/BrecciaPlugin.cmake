@@ -59,18 +59,17 @@ function(breccia_add_plugin_checks kind name)
     message(WARNING "The tests of ${kind}/${name} need the program breccia, and there is no ${program}: only Breccia's "
       "SDK is installed here. Install the program beside it, or name it with -DBRECCIA_PROGRAM=...")
   endif()
-  if(NOT kind MATCHES "^(output|renderer)$")  # what these leave are files: there is nothing to try them on
-    set(parameters "")
-    foreach(parameter ${P_SET})
-      list(APPEND parameters --set "${parameter}")
-    endforeach()
-    add_test(NAME ${kind}.${name}.check
-      COMMAND Breccia::breccia check ${kind}/${name} --plugin $<TARGET_FILE:${plugin}> ${parameters})
-  endif()
+  set(parameters "")
+  foreach(parameter ${P_SET})
+    list(APPEND parameters --set "${parameter}")
+  endforeach()
+  add_test(NAME ${kind}.${name}.check
+    COMMAND Breccia::breccia check ${kind}/${name} --plugin $<TARGET_FILE:${plugin}> ${parameters})
   foreach(source ${P_TESTS})
     get_filename_component(test "${source}" NAME_WE)
     set(executable ${plugin}_${test})
     add_executable(${executable} "${source}")
+    set_target_properties(${executable} PROPERTIES OUTPUT_NAME ${test})
     target_link_libraries(${executable} PRIVATE Breccia::sdk)
     add_test(NAME ${kind}.${name}.${test}
       COMMAND ${executable} $<TARGET_FILE:Breccia::breccia> $<TARGET_FILE:${plugin}> "${PROJECT_SOURCE_DIR}")

@@ -25,9 +25,9 @@ int main(int argc, char** argv) {
     test.near("stored [J]", bonded.at("stored_energy_J", 300), 0.5 * kn * 1e-12 + 0.5 * ks * 4e-12, 1e-15);
     test.near("the bond holds", bonded.at("bond_state", 300), 1, 0);
 
-    // Pulled apart: the bond breaks in the increment (100 nm) in which it reaches its strength.
-    const double limit = strength * broad * broad, stretch = limit / kn, increment = 10e-6 / 100;
-    const TableFile broken = test.drive("new_plugin_name", "normal_m\n10e-6\n", law);
+    // Pulled apart by 10.05 um: the bond breaks in the increment in which it reaches its strength.
+    const double limit = strength * broad * broad, stretch = limit / kn, increment = 10.05e-6 / 100;
+    const TableFile broken = test.drive("new_plugin_name", "normal_m\n10.05e-6\n", law);
     double most = 0;
     for (const double force : broken.column("normal_force_N")) most = force > most ? force : most;
     test.near("largest force [N]", most, limit, kn * increment);

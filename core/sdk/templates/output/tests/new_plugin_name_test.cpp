@@ -14,14 +14,18 @@ int main(int argc, char** argv) {
       test.near("in the order of the packing", first.at("id", k), double(k), 0);
       test.near("radius [m]", first.at("radius_m", k), 1e-3, 1e-15);
     }
-    // The packing counts along x, then y, then z; the first sphere touches the lower corner of the box.
-    test.near("x of the first [m]", first.at("x_m", 0), -3e-3, 1e-12);
-    test.near("z of the first [m]", first.at("z_m", 0), 1e-3, 1e-12);
-    test.near("z of the last [m]", first.at("z_m", 127), 15e-3, 1e-12);
-    // A frame at the start, then one each 0.05 ms, and one at the end.
+    // The packing counts along x, then y, then z; the first sphere touches the lower corner of the box. Loading begins
+    // when the platens carry 0.5 MPa, by when the bonds, of 10 GPa, have given way by a share of 5e-5 of the height.
+    const double seating = 5e-5 * 16e-3;
+    test.near("x of the first [m]", first.at("x_m", 0), -3e-3, seating);
+    test.near("z of the first [m]", first.at("z_m", 0), 1e-3, seating);
+    test.near("z of the last [m]", first.at("z_m", 127), 15e-3, seating);
+    // A frame when loading begins, then one each 0.05 ms as rows of the curves fall, and one at the end.
     test.holds("there are several frames", frames.rows() > 2);
-    for (std::size_t f = 1; f + 1 < frames.rows(); ++f)
-      test.near("time between frames [s]", frames.at("time_s", f) - frames.at("time_s", f - 1), 0.05e-3, 2e-6);
+    for (std::size_t f = 1; f < frames.rows(); ++f) {
+      const double between = frames.at("time_s", f) - frames.at("time_s", f - 1);
+      test.holds("time between frames", between > 0 && between < 1.1 * 0.05e-3);
+    }
     char last[40];
     std::snprintf(last, sizeof last, "particles_%06zu.csv", frames.rows() - 1);
     const TableFile end(results / last);
