@@ -35,3 +35,43 @@ function(breccia_add_plugin kind name)
     install(TARGETS ${target} LIBRARY DESTINATION lib/breccia)
   endif()
 endfunction()
+
+# breccia_add_plugin_checks(<kind> <name> [SET <parameter>=<value>...] [TESTS <file.cpp>...])
+#
+# Tests of a plugin, for `ctest`; after breccia_add_plugin(<kind> <name> ...) and enable_testing():
+# - <kind>.<name>.check: `breccia check` of the plugin as it was just built, with the parameters of SET where defaults and
+#   examples do not do;
+# - <kind>.<name>.<file>: each source of TESTS, an executable that is called with the program, the plugin's file and the
+#   folder of the project (`breccia/test_tools/plugin_test.hpp`).
+# The program is Breccia::breccia, which find_package(Breccia) finds beside the SDK.
+function(breccia_add_plugin_checks kind name)
+  cmake_parse_arguments(PARSE_ARGV 2 P "" "" "SET;TESTS")
+  set(plugin breccia_${kind}_${name})
+  if(P_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "breccia_add_plugin_checks(${kind} ${name}): what is `${P_UNPARSED_ARGUMENTS}`? "
+      "It takes SET parameter=value... and TESTS file.cpp...")
+  endif()
+  if(NOT TARGET ${plugin})
+    message(FATAL_ERROR "breccia_add_plugin_checks(${kind} ${name}): say breccia_add_plugin(${kind} ${name} ...) first")
+  endif()
+  get_target_property(program Breccia::breccia IMPORTED_LOCATION)
+  if(program AND NOT EXISTS "${program}")  # its tests fail until it is there
+    message(WARNING "The tests of ${kind}/${name} need the program breccia, and there is no ${program}: only Breccia's "
+      "SDK is installed here. Install the program beside it, or name it with -DBRECCIA_PROGRAM=...")
+  endif()
+  set(parameters "")
+  foreach(parameter ${P_SET})
+    list(APPEND parameters --set "${parameter}")
+  endforeach()
+  add_test(NAME ${kind}.${name}.check
+    COMMAND Breccia::breccia check ${kind}/${name} --plugin $<TARGET_FILE:${plugin}> ${parameters})
+  foreach(source ${P_TESTS})
+    get_filename_component(test "${source}" NAME_WE)
+    set(executable ${plugin}_${test})
+    add_executable(${executable} "${source}")
+    set_target_properties(${executable} PROPERTIES OUTPUT_NAME ${test})
+    target_link_libraries(${executable} PRIVATE Breccia::sdk)
+    add_test(NAME ${kind}.${name}.${test}
+      COMMAND ${executable} $<TARGET_FILE:Breccia::breccia> $<TARGET_FILE:${plugin}> "${PROJECT_SOURCE_DIR}")
+  endforeach()
+endfunction()

@@ -224,6 +224,15 @@ int dispatch(int argc, char** argv) {
       ->capture_default_str();
   verb->callback([&] { code = cli::schema(schema_of); });
 
+  cli::NewArguments fresh;
+  verb =
+      app.add_subcommand("new", "Begin a plugin of your own: a small project that builds, with tests and a workflow");
+  verb->footer("Example: breccia new contact_law my_law");
+  verb->add_option("KIND", fresh.kind, "packing, contact_law, protocol, postprocessor, output or renderer")->required();
+  verb->add_option("NAME", fresh.name, "what workflows call it: my_law")->required();
+  verb->add_option("--dir", fresh.folder, "folder of the project, new or empty; default: NAME");
+  verb->callback([&] { code = cli::new_plugin(fresh); });
+
   if (const std::string text = unknown_verb(app, argc, argv); !text.empty()) throw UserError(text);
   try {
     app.parse(argc, argv);

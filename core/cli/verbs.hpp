@@ -58,7 +58,13 @@ struct CheckArguments {
   std::vector<std::string> overrides;
 };
 
+struct NewArguments {
+  std::string kind, name;
+  std::filesystem::path folder;  ///< of the project; empty: the name, here
+};
+
 int check(const CheckArguments& arguments);
+int new_plugin(const NewArguments& arguments);
 int run(const RunArguments& arguments);
 int validate(const std::vector<std::filesystem::path>& files, const std::vector<std::string>& overrides,
              const std::string& variant);  ///< empty: the workflow and each of its variants

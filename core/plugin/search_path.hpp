@@ -13,8 +13,11 @@ struct PluginFolder {
   std::string named_by;  ///< who asked for it: its absence is worth a warning; empty for a conventional place
 };
 
-/// The folders of BRECCIA_PLUGIN_PATH (separated by colons), then `../lib/breccia` and `plugins` beside the program
-/// file itself, wherever the link to it stands through which it was started.
+/// Where the program file itself lies, wherever the link to it stands through which it was started; empty when that
+/// cannot be known.
+std::filesystem::path program_folder();
+
+/// The folders of BRECCIA_PLUGIN_PATH (separated by colons), then `../lib/breccia` and `plugins` beside the program.
 std::vector<PluginFolder> default_plugin_folders();
 
 }  // namespace breccia

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -50,6 +51,12 @@ inline fs::path write(const fs::path& file, const std::string& bytes) {
   out.close();
   if (!out) throw std::runtime_error("cannot write " + file.string());
   return file;
+}
+
+/// A command of the shell that must end well; what it prints is added to `log`.
+inline void run(const std::string& command, const fs::path& log) {
+  if (std::system(("(" + command + ") >>'" + log.string() + "' 2>&1").c_str()) != 0)
+    throw std::runtime_error(command + "\n" + read(log));
 }
 
 #ifdef BRECCIA_FIXTURES

@@ -11,11 +11,6 @@ namespace breccia::test {
 
 static const fs::path example = fs::path(BRECCIA_SOURCE_DIR) / "docs/examples/hertz_mindlin";
 
-static void run(const std::string& command, const fs::path& log) {
-  if (std::system((command + " >>'" + log.string() + "' 2>&1").c_str()) != 0)
-    throw std::runtime_error(command + "\n" + read(log));
-}
-
 /// Builds the example and returns the folder where the plugin lies.
 static fs::path build_example(const Folder& folder, const fs::path& package) {
   const fs::path source = folder / "source", build = folder / "build", log = folder / "log";
