@@ -13,8 +13,10 @@ namespace breccia {
 /// Keeps copies of what it reads in the order of the cells, so that candidates lie side by side in memory.
 class NeighbourSearch {
  public:
-  /// UserError if space repeats itself so soon that a particle could meet two images of another.
+  /// UserError if space repeats itself so soon that a particle could meet two images of another. Both are kept by
+  /// reference.
   NeighbourSearch(const Space& space, const Particles& particles, double skin);
+  NeighbourSearch(Space&&, const Particles&, double) = delete;
 
   /// Appends, in no particular order, every j > i whose branch vector is shorter than r_i + r_j + skin. Any number of
   /// threads may ask.

@@ -48,7 +48,7 @@ void read(std::size_t way) {
     config["period"] = {0.01, 0.0, 0.02};
     request.periodic = {true, false, true};
   }
-  fuzz::SilentHost host;
+  SilentHost host;
   const PackedParticles p = made(config)->generate(request, host);
   if (p.radius.empty() || p.position.size() != p.radius.size()) fuzz::fail("not as many radii as centres");
   for (std::size_t k = 0; k < p.radius.size(); ++k)

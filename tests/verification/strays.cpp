@@ -36,7 +36,8 @@ Particles cube(int n, double far) {
 }
 
 Found pairs_of(const Particles& p) {
-  const NeighbourSearch search(Space(), p, 0.3);
+  const Space space;
+  const NeighbourSearch search(space, p, 0.3);
   Found found;
   std::vector<Index> partners;
   for (Index i = 0; i < p.size(); ++i) {
