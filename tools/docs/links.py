@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Whether links lead somewhere: of the sources within the tree, of the built site within itself, without a network.
 
