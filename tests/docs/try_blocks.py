@@ -4,7 +4,8 @@
 
     tests/docs/try_blocks.py [--program build/bin/breccia] [PAGE ...]
 
-Without PAGE all sources. With --expect-wrong each of a page's blocks must be found to be wrong: the test of the test.
+Without PAGE all sources. With --expect-wrong each of a page's blocks must be found to be wrong, and something in the form
+of the page, too: the test of the test.
 """
 import argparse
 import pathlib
@@ -28,12 +29,12 @@ parser.add_argument("--times", action="store_true", help="what each block took")
 arguments = parser.parse_args()
 program = arguments.program.resolve()
 
-wrong, skipped, count, missed = [], [], 0, []
+wrong, skipped, count, missed, form = [], [], 0, [], []
 with tempfile.TemporaryDirectory(prefix="breccia_docs_") as scratch:
     tried = trials.Trials(program, program.parent.parent, pathlib.Path(scratch))
     for page in arguments.pages or pages.sources():
-        found, form = blocks.collect(page, (root / page).read_text(encoding="utf-8"))
-        wrong += form
+        found, badly_formed = blocks.collect(page, (root / page).read_text(encoding="utf-8"))
+        form += badly_formed
         for block in found:
             count += 1
             begin = time.monotonic()
@@ -48,11 +49,11 @@ with tempfile.TemporaryDirectory(prefix="breccia_docs_") as scratch:
                 print(f"{time.monotonic() - begin:6.1f} s {block.where}")
 
 if arguments.expect_wrong:
-    print("\n".join(wrong))
+    print("\n".join(wrong + form))
     if missed or skipped:
         sys.exit("found to be in order: " + ", ".join(missed + skipped))
-    sys.exit(0 if wrong else "nothing was found to be wrong")
+    sys.exit(0 if wrong and form else "nothing was found to be wrong")
 print(f"{count} blocks: " + ", ".join(f"{n} {what}" for what, n in sorted(tried.counts.items())))
 print(f"{len(skipped)} not run" + "".join("\n  " + line for line in skipped))
-if wrong:
-    sys.exit("\n".join(wrong))
+if wrong or form:
+    sys.exit("\n".join(wrong + form))

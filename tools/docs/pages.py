@@ -53,6 +53,12 @@ def sources():
     return [f.relative_to(root).as_posix() for f in found]
 
 
+def is_listed(source, entries=MENU):
+    """Whether the menu has a source: by itself or with its folder."""
+    return any(is_listed(source, what) if isinstance(what, list) else source == what or source.startswith(what + "/")
+               for _, what in entries)
+
+
 def place(source):
     """Where a source stands in the site."""
     if source == "README.md":
