@@ -62,8 +62,9 @@ def write_keys(stage, program):
     workflow = ("# Keys of a workflow\n\nMade of `breccia describe workflow`; [workflow.schema.json](../workflow.schema.json) says the same to "
                 "an editor. Sections of plugins: [Plugins](../plugins/index.md).\n\n")
     study = "# Keys of a study\n\nMade of `breccia describe sweep`; how a study is written: [Parameter studies](../sweeps.md).\n\n"
-    stage.write("reference/workflow.md", workflow + program.keys("workflow"))
-    stage.write("reference/sweep.md", study + program.keys("sweep"))
+    wide = "---\nhide: [toc]\n---\n"  # these pages are one table
+    stage.write("reference/workflow.md", wide + workflow + program.keys("workflow"))
+    stage.write("reference/sweep.md", wide + study + program.keys("sweep"))
     for schema in ("workflow", "sweep"):
         stage.copy(f"docs/{schema}.schema.json", f"{schema}.schema.json")
 
