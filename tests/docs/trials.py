@@ -14,7 +14,6 @@ files = pathlib.Path(__file__).resolve().parent / "files"
 
 # Programs other than ours whose commands are read for their syntax alone.
 OTHERS = {"cmake", "ctest", "git", "pre-commit", "sbatch", "snakemake", "export", "cd", "cp", "mkdir", "perf", "yes", "apt", "sudo"}
-EMPTY_SLOT = re.compile(r"(?m)^[ ]+\.\.\.[ ]*\n|,?\s*\.\.\.(?=\s*[}\]])")
 
 
 class Skip(Exception):
