@@ -93,10 +93,22 @@ void add_text(std::string& out, const ParamSpec& group, int indent) {
   for (const std::string& rule : rules_of(group)) out += pad + "rule: " + rule + "\n";
 }
 
+/// Markdown takes what follows a bare `<` for a tag and swallows it; in code it stands as it is.
+std::string prose(const std::string& text) {
+  std::string out;
+  bool code = false;
+  for (const char c : text) {
+    code ^= c == '`';
+    out += c == '<' && !code ? std::string("&lt;") : std::string(1, c);
+  }
+  return out;
+}
+
 /// A cell of a Markdown table: no line ends, no bare bars.
 std::string cell(const std::string& text) {
   std::string out;
-  for (const char c : text) out += c == '|' ? std::string("\\|") : c == '\n' ? std::string(" ") : std::string(1, c);
+  for (const char c : prose(text))
+    out += c == '|' ? std::string("\\|") : c == '\n' ? std::string(" ") : std::string(1, c);
   return out;
 }
 
@@ -108,7 +120,7 @@ void add_rows(std::string& out, const ParamSpec& group, const std::string& prefi
     if (!p.source.empty()) about.push_back("source: " + p.source);
     const std::string fallback = default_text(p);
     out += "| `" + prefix + p.name + "` | " + cell(value_text(p)) + " | " + cell(range_text(p)) + " | " +
-           (fallback.empty() ? (p.required ? "required" : "optional") : "`" + cell(fallback) + "`") + " | " +
+           (fallback.empty() ? (p.required ? "required" : "optional") : cell("`" + fallback + "`")) + " | " +
            cell(join(about, "; ")) + " |\n";
     ParamSpec below = p;
     if (p.changes_section) below.members.resize(1);  // the others stand above
@@ -234,9 +246,9 @@ std::string describe_text(const std::string& kind, const std::string& name, cons
 }
 
 std::string describe_markdown(const std::string& kind, const std::string& name, const Documentation& doc) {
-  std::string out = "### " + kind + " `" + name + "`\n\n" + doc.summary + "\n\n";
-  if (!doc.details.empty()) out += doc.details + "\n\n";
-  if (!doc.source.empty()) out += "Source: " + doc.source + ". ";
+  std::string out = "### " + kind + " `" + name + "`\n\n" + prose(doc.summary) + "\n\n";
+  if (!doc.details.empty()) out += prose(doc.details) + "\n\n";
+  if (!doc.source.empty()) out += "Source: " + prose(doc.source) + ". ";
   if (!doc.licence.empty()) out += "Licence: " + doc.licence + ".";
   out += "\n\n";
   if (doc.root.members.empty()) return out + "No parameters.\n";

@@ -263,20 +263,6 @@ TEST_F(Cli, PluginsOfTheCommandLineAreLoaded) {
   EXPECT_EQ(call("validate small.yaml").code, 0);
 }
 
-TEST_F(Cli, ThePluginsOfTheGuideAreAccepted) {
-  write_small();
-  // The lines of the guide, with a file that is there.
-  const std::string guide = content(BRECCIA_SOURCE_DIR "/docs/writing_a_law.md");
-  const std::size_t begin = guide.find("plugins:\n"), end = guide.find("\n\n", begin);
-  ASSERT_NE(begin, std::string::npos);
-  fs::create_directories(folder_ / "build");
-  fs::copy(fs::path(program).parent_path().parent_path() / "lib/breccia/breccia_contact_law.elastic_brittle.so",
-           folder_ / "build/breccia_contact_law.hertz_mindlin.so");
-  write("guide.yaml", std::string(small) + guide.substr(begin, end - begin) + "\n");
-  const Result r = call("validate guide.yaml");
-  EXPECT_EQ(r.code, 0) << r.text;
-}
-
 TEST_F(Cli, TwoOfAKindAreRefusedBeforeTheRun) {
   write_small();
   for (const char* list : {"postprocessors=[{type: stress}, {type: stress}]", "outputs=[{type: vtk}, {type: vtk}]",

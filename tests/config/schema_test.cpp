@@ -106,6 +106,15 @@ TEST(Describe, MarkdownIsOneTable) {
   EXPECT_NE(nested.find("| `walls[].point` | list of quantities [m], 3 items |"), std::string::npos) << nested;
 }
 
+TEST(Describe, MarkdownKeepsWhatLooksLikeATag) {
+  Documentation doc = law();
+  doc.details = "R = <r> over all | `<m>`";
+  doc.root.members[0].doc = "mean <r>";
+  const std::string text = describe_markdown("contact_law", "brittle", doc);
+  EXPECT_NE(text.find("R = &lt;r> over all | `<m>`"), std::string::npos) << text;
+  EXPECT_NE(text.find("mean &lt;r>"), std::string::npos) << text;
+}
+
 TEST(Describe, JsonHasTheNumbers) {
   const Json j = describe_json("contact_law", "brittle", law());
   EXPECT_EQ(j["name"], "brittle");
