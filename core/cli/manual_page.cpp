@@ -49,14 +49,13 @@ std::string shown(const Argument& a) {
 }
 
 std::string entry(const Argument& a) {
-  std::string text = a.text;
-  if (!a.range.empty()) text += " (" + a.range + ")";
-  if (!a.fallback.empty()) text += "; default: " + a.fallback;
-  if (!a.names.empty() && a.required) text += "; must be given";
-  std::string out = ".TP\n" + shown(a) + "\n" + roff(text) + "\n";
-  std::string others;
+  std::string others, more;
   for (const std::string& name : a.not_with) others += (others.empty() ? "" : ", ") + bold(name);
-  return others.empty() ? out : out + "Not together with " + others + ".\n";
+  if (!a.names.empty() && a.required) more += " It must be given.";
+  if (!a.range.empty()) more += " Range: " + roff(a.range) + ".";
+  if (!a.fallback.empty()) more += " Default: " + roff(a.fallback) + ".";
+  if (!others.empty()) more += " Not together with " + others + ".";
+  return ".TP\n" + shown(a) + "\n" + roff(a.text) + (more.empty() ? "" : "." + more) + "\n";
 }
 
 std::string synopsis(const Verb& verb) {

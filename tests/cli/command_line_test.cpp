@@ -46,7 +46,7 @@ class CommandLine : public Program {
     for (const std::string& w : words) script += "'" + w + "' ";
     script += ")\nCOMP_CWORD=" + std::to_string(words.size() - 1) +
               "\n_breccia\n((${#COMPREPLY[@]})) && printf '%s\\n' \"${COMPREPLY[@]}\"\n";
-    EXPECT_EQ(call("command-line bash >completion").code, 0);
+    write("completion", call("command-line bash").text);
     return all_of(run_in("bash", script).text, "([^\n]+)\n");
   }
 };
@@ -71,7 +71,7 @@ TEST_F(CommandLine, EveryVerbAndOptionIsInTheManualPage) {
 
 TEST_F(CommandLine, TheManualPageIsInOrder) {
   if (!on_this_machine("groff")) GTEST_SKIP() << "groff is not installed (Debian package groff-base)";
-  ASSERT_EQ(call("command-line man >breccia.1").code, 0);
+  write("breccia.1", call("command-line man").text);
   const Result r = run_in("sh", "groff -man -Tutf8 -ww -z breccia.1");
   EXPECT_EQ(r.code, 0);
   EXPECT_EQ(r.text, "");
@@ -114,7 +114,7 @@ TEST_F(CommandLine, BashCompletesFilesByTheirEndings) {
 
 TEST_F(CommandLine, ZshReadsItsCompletion) {
   if (!on_this_machine("zsh")) GTEST_SKIP() << "zsh is not installed";
-  ASSERT_EQ(call("command-line zsh >_breccia").code, 0);
+  write("_breccia", call("command-line zsh").text);
   const Result r = run_in("sh", "zsh -n _breccia");
   EXPECT_EQ(r.code, 0) << r.text;
   EXPECT_EQ(r.text, "");
@@ -122,7 +122,7 @@ TEST_F(CommandLine, ZshReadsItsCompletion) {
 
 TEST_F(CommandLine, FishCompletes) {
   if (!on_this_machine("fish")) GTEST_SKIP() << "fish is not installed";
-  ASSERT_EQ(call("command-line fish >breccia.fish").code, 0);
+  write("breccia.fish", call("command-line fish").text);
   const auto offered = [&](const std::string& line) {
     const Result r = run_in("env HOME=$PWD fish --no-config", "source breccia.fish\nset -p PATH " +
                                                                   fs::path(program).parent_path().string() +
