@@ -30,10 +30,10 @@ set(CPACK_PACKAGE_VENDOR "the Breccia authors")
 set(CPACK_PACKAGE_CONTACT "${BRECCIA_PACKAGE_MAINTAINER}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "bonded-particle mechanics of rock and concrete")
 set(CPACK_PACKAGE_DESCRIPTION
-"Packs spheres or discs, bonds them, loads the specimen to failure and measures
-stress and strain from the particles; leaves curves, VTK files and pictures. One
-YAML file says what is done. Packings, contact laws, tests, measurements, files
-and pictures are plugins.
+"Packs spheres or discs, bonds them, loads the specimen to failure and
+measures stress and strain from the particles; leaves curves, VTK files and
+pictures. One YAML file says what is done. Packings, contact laws, tests,
+measurements, files and pictures are plugins.
 .
 With headers and CMake package for plugins of one's own.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
