@@ -9,7 +9,7 @@ namespace {
 const char* const helpers = R"zsh(#compdef breccia
 # Completion of breccia for zsh; made from the program's declaration of its command line.
 
-_breccia_files() { _files -g "*.(${(j:|:)@})" }
+_breccia_files() { _files -g "${(j: :)@/#/*.}" } # ending...
 _breccia_folders() { _files -/ }
 _breccia_words() { compadd -- "$@" }
 _breccia_plugins() { # KIND/NAME, KIND, or a kind for the names of its plugins
