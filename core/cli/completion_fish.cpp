@@ -7,7 +7,7 @@ namespace breccia::cli {
 namespace {
 
 const char* const helpers =
-    R"(# Completion of breccia for fish; made from the program's declaration of its command line.
+    R"fish(# Completion of breccia for fish; made from the program's declaration of its command line.
 
 function __breccia_plugins --description 'KIND/NAME, KIND, or a kind for the names of its plugins'
     set -l program (commandline -opc)[1]
@@ -21,15 +21,19 @@ function __breccia_plugins --description 'KIND/NAME, KIND, or a kind for the nam
     end
 end
 
+function __breccia_files --description 'files with one of these endings, and folders to go on into'
+    complete -C "'' "(commandline -ct) | string match -r '^[^\t]*(?:/|\.(?:'(string join '|' $argv)'))(?=\t|$)'
+end
+
 complete -c breccia -f
-)";
+)fish";
 
 /// What is offered, as commands that print it.
 std::string offered(const Offer& offer) {
   std::string out;
   if (!offer.words.empty()) out += words_of(offer.words);
   if (!offer.plugins.empty()) out += " (__breccia_plugins " + offer.plugins + ")";
-  for (const std::string& ending : offer.endings) out += " (__fish_complete_suffix ." + ending + ")";
+  if (!offer.endings.empty()) out += " (__breccia_files" + words_of(offer.endings) + ")";
   if (offer.folders && offer.endings.empty()) out += " (__fish_complete_directories)";
   return out.empty() ? "" : " -a " + quoted(out.substr(1));
 }

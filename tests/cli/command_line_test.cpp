@@ -133,6 +133,10 @@ TEST_F(CommandLine, FishCompletes) {
   EXPECT_EQ(offered("breccia describe contact_law/elastic_b"), Words{"contact_law/elastic_brittle"});
   EXPECT_EQ(offered("breccia describe damage --format j"), Words{"json"});
   EXPECT_EQ(offered("breccia sweep study.yaml --col"), Words{"--collect"});
+  for (const char* name : {"my_own.yaml", "my.csv", "my.txt"}) write(name, "");
+  fs::create_directory(folder_ / "my_results");
+  EXPECT_EQ(offered("breccia run my"), (Words{"my_own.yaml", "my_results/"}));
+  EXPECT_EQ(offered("breccia drive dashpot --path my"), (Words{"my.csv", "my_results/"}));
 }
 
 TEST(Citation, NamesTheVersion) {
