@@ -47,7 +47,7 @@ CheckFindings Trials::findings() const {
           {s.check, Outcome::holds,
            fmt::format("{} cases{}", s.cases, s.worst.empty() ? "" : fmt::format("; {}: {}", s.worst_at, s.worst)),
            ""});
-    else all.push_back({s.check, Outcome::holds, fmt::format("{}: {}", s.worst_at, s.worst), ""});
+    else all.push_back({s.check, Outcome::holds, s.worst.empty() ? s.worst_at : s.worst_at + ": " + s.worst, ""});
   }
   for (const Skipped& s : skipped_) {
     std::vector<std::string> first(s.where.begin(),

@@ -8,6 +8,7 @@
 #include "breccia/packing_tools/radius_distribution.hpp"
 #include "check/example.hpp"
 #include "check/made_specimen.hpp"
+#include "config/problem.hpp"
 #include "output/atomic_file.hpp"
 
 namespace breccia {
@@ -35,12 +36,12 @@ struct Form {
   const char* name;
 };
 constexpr Form forms[] = {
-    {"box", "{shape: box, size: [10 mm, 8 mm, 12 mm]}", 3, false, "3D, box"},
-    {"cylinder", "{shape: cylinder, diameter: 10 mm, height: 12 mm}", 3, false, "3D, cylinder"},
-    {"sphere", "{shape: sphere, diameter: 12 mm}", 3, false, "3D, sphere"},
+    {"box", "{shape: box, size: [8 mm, 7 mm, 10 mm]}", 3, false, "3D, box"},
+    {"cylinder", "{shape: cylinder, diameter: 8.5 mm, height: 10 mm}", 3, false, "3D, cylinder"},
+    {"sphere", "{shape: sphere, diameter: 10 mm}", 3, false, "3D, sphere"},
     {"box", "{shape: box, size: [20 mm, 30 mm]}", 2, false, "2D, box"},
     {"sphere", "{shape: sphere, diameter: 26 mm}", 2, false, "2D, disc"},
-    {"box", "{shape: box, size: [10 mm, 8 mm, 12 mm]}", 3, true, "3D, box, periodic"},
+    {"box", "{shape: box, size: [8 mm, 7 mm, 10 mm]}", 3, true, "3D, box, periodic"},
     {"box", "{shape: box, size: [20 mm, 30 mm]}", 2, true, "2D, box, periodic"},
 };
 
@@ -57,10 +58,18 @@ std::filesystem::path write_particles(const std::filesystem::path& folder, const
   return file;
 }
 
+std::optional<Container> container_of(const Json& config, int dimension) {
+  if (!config.contains("container")) return {};
+  Schema<ContainerConfig> schema;
+  ContainerConfig::describe(schema);
+  return schema.load(config["container"]).make(dimension);
+}
+
 std::optional<std::string> preset(const ParamSpec& p, const Form& form, bool fill,
                                   const std::filesystem::path& folder) {
   if (p.name == "container" && fill) return form.container;
-  if (p.name == "porosity") return std::string();  // rather than a number of particles: its example
+  // Rather than a number of particles; so loose that small containers can be filled.
+  if (p.name == "porosity") return form.dimension == 2 ? "0.24" : "0.48";
   if (p.type == ParamType::path && p.required && p.example.ends_with(".csv"))
     return "'" + write_particles(folder, form).string() + "'";
   if (p.name == "period" && p.type == ParamType::quantity_list) {
@@ -116,16 +125,16 @@ std::vector<PackingWays> packing_cases(const Registry& registry, const std::stri
       try {
         c.choice = example_plugin(registry, Packing::kind, name, given,
                                   [&](const ParamSpec& p) { return preset(p, form, filled && !own, folder); });
-        if (filled && c.choice.config.contains("container")) {
-          Schema<ContainerConfig> schema;
-          ContainerConfig::describe(schema);
-          c.container = schema.load(c.choice.config["container"]).make(form.dimension);
-        }
+        if (filled) c.container = container_of(c.choice.config, form.dimension);
+      } catch (const ConfigError& e) {
+        if (e.problems().front().file == "--set") throw;  // the user's, in every form
+        why = e.problems().front().text;
+        continue;
       } catch (const UserError& e) {
         why = e.what();
         continue;
       }
-      c.name = where;
+      c.form = c.name = where;
       for (const std::string& value : choice) c.name += ", " + value.substr(value.find('=') + 1);
       c.request.dimension = form.dimension;
       c.request.thickness = form.dimension == 2 ? 0.01 : 1;
@@ -136,6 +145,18 @@ std::vector<PackingWays> packing_cases(const Registry& registry, const std::stri
     else all.push_back(std::move(ways));
   }
   return all;
+}
+
+std::optional<PackingCase> enlarged(const PackingCase& of, double factor) {
+  if (!of.container) return {};
+  PackingCase more = of;
+  Json& container = more.choice.config["container"];
+  for (const char* length : {"diameter", "height"})
+    if (container.contains(length)) container[length] = factor * container[length].get<double>();
+  if (container.contains("size"))
+    for (Json& length : container["size"]) length = factor * length.get<double>();
+  more.container = container_of(more.choice.config, of.request.dimension);
+  return more;
 }
 
 std::optional<AskedRadii> asked_radii(const Json& config) {

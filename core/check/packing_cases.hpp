@@ -10,7 +10,7 @@
 namespace breccia {
 
 struct PackingCase {
-  std::string name;  ///< "3D, box, periodic"
+  std::string form, name;  ///< "3D, box, periodic"; the same with the values that were chosen
   PackingRequest request;
   PluginChoice choice;
   std::optional<Container> container;  ///< that was asked for; none: the packing has no such parameter
@@ -25,6 +25,9 @@ using PackingWays = std::vector<PackingCase>;
 std::vector<PackingWays> packing_cases(const Registry& registry, const std::string& name,
                                        const std::vector<std::string>& parameters, const std::filesystem::path& folder,
                                        std::vector<std::pair<std::string, std::string>>& refused);
+
+/// The same with `factor` times as long a container; none where there is none.
+std::optional<PackingCase> enlarged(const PackingCase& of, double factor);
 
 /// What the configuration says of the radii, where it does so as Breccia's packings do.
 struct AskedRadii {

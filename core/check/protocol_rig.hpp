@@ -49,7 +49,9 @@ class ProtocolRig {
   Simulation& simulation() { return *simulation_; }
   Protocol& protocol() { return *protocol_; }
   std::uint64_t steps() const { return simulation_->state().step; }
-  double energy_error() const { return energy_error_; }  ///< largest share of the work that was unaccounted for
+  /// What was unaccounted for at the most, over the largest energy of the whole test so far: the first steps, in which
+  /// everything is fast and small, do not stand for the others.
+  double energy_error() const { return energy_.share(energy_error_, 0); }
   KeptCurves rows;
   KeptSummary summary;
 
@@ -60,8 +62,8 @@ class ProtocolRig {
   std::unique_ptr<Simulation> simulation_;
   std::optional<Loading> loading_;
   EnergyCheck energy_;
-  double energy_error_ = 0, energy_floor_ = 0;
-  bool moved_ = true;  ///< the step's forces are not yet known
+  double energy_error_ = 0;  // [J]
+  bool moved_ = true;        ///< the step's forces are not yet known
 };
 
 }  // namespace breccia
