@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
+#include <ctime>
 
 #include "check/attempt.hpp"
 #include "check/check.hpp"
@@ -17,8 +17,6 @@
 namespace breccia {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 class PackingHost final : public SilentHost {
  public:
   explicit PackingHost(int threads = 1, double cancel_after = 1e9) : threads_(threads), until_(cancel_after) {}
@@ -27,13 +25,14 @@ class PackingHost final : public SilentHost {
     ++asked;
     return seconds() >= until_;
   }
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  /// Of the processor: others on the machine have no part in it.
+  double seconds() const { return double(std::clock() - start_) / CLOCKS_PER_SEC; }
   mutable std::atomic<long> asked = 0;
 
  private:
   int threads_;
   double until_;
-  Clock::time_point start_ = Clock::now();
+  std::clock_t start_ = std::clock();
 };
 
 class PackingCheck {
@@ -265,11 +264,12 @@ class PackingCheck {
   }
 
   void again(const PackedParticles& packed, const PackingMeasures& m) {
+    const std::string different = "another packing";
     const auto other = [&](int threads, std::uint64_t seed) {
       PackingHost host(threads);
       bool same = false;
       const Attempt end = attempt([&] { same = same_packing(packed, make(host, seed)); });
-      return !end ? end.text : same ? "" : "another packing";
+      return !end ? end.text : same ? "" : different;
     };
     see("the same twice", other(1, 1), "the same bits",
         "the same request must give the same bits: look for clocks, `std::random_device`, static variables and "
@@ -280,6 +280,7 @@ class PackingCheck {
           "split");
     const std::string seeded = other(1, 2);
     if (reads_) trials_.skip("another seed", "", "it reads its particles from a file");
+    else if (seeded != different && !seeded.empty()) trials_.skip("another seed", case_->name, seeded);
     else if (!seeded.empty()) see("another seed", true, seeded, "");
     else
       see("another seed", m.orderly,
