@@ -68,13 +68,13 @@ int cli::with_command_line(const std::function<int(CLI::App&, const int&)>& use)
   verb->callback([&] { code = cli::describe(plugin, format); });
 
   cli::CheckArguments check;
-  verb = app.add_subcommand("check", "Check a contact law against itself: energy and work, stiffness, frames, ends");
-  verb->add_option("PLUGIN", check.plugin, "contact_law/NAME")->required();
+  verb = app.add_subcommand("check", "Try a plugin on small cases: whether it is what its kind promises");
+  verb->add_option("PLUGIN", check.plugin, "KIND/NAME, or NAME alone")->required();
   verb->add_option("--plugin", check.plugins, "a plugin from outside Breccia's own folder, by its file or folder")
       ->type_name("LIBRARY")
       ->expected(1)
       ->take_all();
-  verb->add_option("--set", check.overrides, "a parameter of the law; default: its default or example: friction=0.3")
+  verb->add_option("--set", check.overrides, "a parameter of the plugin; default: its default or example: friction=0.3")
       ->expected(1)
       ->take_all();
   verb->callback([&] { code = cli::check(check); });

@@ -7,9 +7,9 @@
 #include <tuple>
 
 #include "breccia/error.hpp"
+#include "cli/plugin_name.hpp"
 #include "cli/verbs.hpp"
 #include "config/listed_plugin.hpp"
-#include "config/suggest.hpp"
 #include "run/sweep_study.hpp"
 #include "run/workflow.hpp"
 
@@ -32,29 +32,6 @@ bool is_listed(const std::string& kind) {
   const auto& sections = workflow_schema().members;
   return std::any_of(sections.begin(), sections.end(),
                      [&](const ParamSpec& s) { return s.type == ParamType::plugin_list && s.plugin_kind == kind; });
-}
-
-/// KIND/NAME, or a name that one kind alone has.
-std::pair<std::string, std::string> plugin_named(const Registry& registry, const std::string& written) {
-  if (const auto slash = written.find('/'); slash != std::string::npos)
-    return {written.substr(0, slash), written.substr(slash + 1)};
-  std::vector<std::string> found, known = registry.kinds();
-  known.insert(known.end(), {"workflow", "sweep"});
-  for (const std::string& kind : registry.kinds())
-    for (const std::string& name : registry.names(kind)) {
-      if (name == written) found.push_back(kind);
-      known.push_back(name);
-    }
-  if (found.size() == 1) return {found[0], written};
-  if (!found.empty()) {
-    std::vector<std::string> full;
-    for (const std::string& kind : found) full.push_back(kind + "/" + written);
-    throw UserError("there is more than one plugin `" + written + "`: write one of " + list_of(full, 20));
-  }
-  const std::string near = closest(written, known);
-  throw UserError("nothing is called `" + written + "`" + (near.empty() ? "" : "; did you mean `" + near + "`?") +
-                  (near.empty() ? "; " : " ") +
-                  "describe takes KIND/NAME (see `breccia list`), NAME, KIND, `workflow` or `sweep`");
 }
 
 /// The plugins of a kind with what they do.
@@ -93,7 +70,9 @@ int describe(const std::string& plugin, const std::string& format) {
   } else {
     const std::vector<std::string>& kinds = registry.kinds();
     if (std::find(kinds.begin(), kinds.end(), plugin) != kinds.end()) return describe_kind(registry, plugin, format);
-    std::tie(kind, name) = plugin_named(registry, plugin);
+    std::tie(kind, name) =
+        plugin_named(registry, plugin, {"workflow", "sweep"},
+                     "describe takes KIND/NAME (see `breccia list`), NAME, KIND, `workflow` or `sweep`");
     doc = registry.documentation(kind, name);
     if (is_listed(kind)) doc.root = as_listed(doc.root);
     const PluginInfo& info = registry.info(kind, name);

@@ -53,7 +53,7 @@ struct SweepArguments {
 };
 
 struct CheckArguments {
-  std::string plugin;  ///< "contact_law/NAME"
+  std::string plugin;  ///< KIND/NAME or NAME
   std::vector<std::filesystem::path> plugins;
   std::vector<std::string> overrides;
 };

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/render.hpp"
 
-#include <cerrno>
-#include <cstdlib>
-
-#include "breccia/atomic_file.hpp"
 #include "output/results_folder.hpp"
+#include "output/temporary_folder.hpp"
 #include "run/listed.hpp"
 
 namespace breccia {
@@ -23,33 +20,24 @@ struct EmptyFolder {
   }
 };
 
-/// A folder within another that is gone at the end, whatever happens.
+/// Where pictures are made, within the folder that they are for.
 class Workshop {
  public:
-  explicit Workshop(const fs::path& folder) : folder_(folder) {
-    std::string name = (folder / ".pictures-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw CannotWrite(folder, errno);
-    path_ = name;
-  }
-  Workshop(const Workshop&) = delete;
-  Workshop& operator=(const Workshop&) = delete;
-  ~Workshop() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
+  explicit Workshop(const fs::path& folder) : folder_(folder), own_(folder, ".pictures") {}
 
-  const fs::path& path() const { return path_; }
-  fs::path place_of(const fs::path& file) const { return folder_ / file.lexically_relative(path_); }
+  const fs::path& path() const { return own_.path(); }
+  fs::path place_of(const fs::path& file) const { return folder_ / file.lexically_relative(path()); }
   /// A message as it would be without the workshop.
   std::string told(std::string_view text) const {
     std::string out(text);
-    const std::string own = path_.string(), user = folder_.string();
+    const std::string own = path().string(), user = folder_.string();
     for (std::size_t at = 0; (at = out.find(own, at)) != out.npos; at += user.size()) out.replace(at, own.size(), user);
     return out;
   }
 
  private:
-  fs::path folder_, path_;
+  fs::path folder_;
+  TemporaryFolder own_;
 };
 
 class WorkshopHost final : public Host {

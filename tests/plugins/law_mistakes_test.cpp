@@ -2,26 +2,12 @@
 // Mistakes that a law's author may make are loud: for the compiler, or for `breccia check`.
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
 #include <string>
+
+#include "shell.hpp"
 
 namespace breccia::testing {
 namespace {
-
-struct Output {
-  int code;
-  std::string text;
-};
-Output shell(const std::string& command) {
-  Output out{-1, ""};
-  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  std::array<char, 4096> part;
-  while (std::fgets(part.data(), part.size(), pipe)) out.text += part.data();
-  out.code = pclose(pipe);
-  return out;
-}
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 Output compile(int which, const std::string& flags = "") {
   return shell(std::string(BRECCIA_CXX_COMPILER) +

@@ -6,102 +6,49 @@
 
 #include <map>
 
-#include "breccia/protocol.hpp"
-#include "run/loading.hpp"
+#include "check/protocol_rig.hpp"
 #include "support/support.hpp"
 
 namespace breccia::testing {
 
-/// Curves in memory.
-class Rows final : public Recorder, public Curves {
- public:
-  std::size_t add(Column column) override {
-    columns_.push_back(std::move(column));
-    values_.emplace_back();
-    return columns_.size() - 1;
-  }
-  void set(std::size_t column, double value) override { values_.at(column).push_back(value); }
-  const std::vector<Column>& columns() const override { return columns_; }
-  std::span<const double> column(std::string_view name) const override {
-    for (std::size_t k = 0; k < columns_.size(); ++k)
-      if (columns_[k].name == name) return values_[k];
-    throw UserError("no curve " + std::string(name));
-  }
-  std::size_t rows() const override { return values_.empty() ? 0 : values_[0].size(); }
-  double last(std::string_view name) const { return column(name).back(); }
-
- private:
-  std::vector<Column> columns_;
-  std::vector<std::vector<double>> values_;
-};
-
-class Noted final : public Summary {
- public:
-  void headline(const ResultName& name, Json value) override { all[name.key()] = std::move(value); }
-  void own(const ResultName& name, Json value) override { all[name.key()] = std::move(value); }
-  void table(Table) override {}
-  std::map<std::string, Json> all;
-};
+inline const Registry& registry() {
+  static const Registry all;
+  return all;
+}
 
 inline std::unique_ptr<Protocol> make_protocol(const std::string& name, Json config) {
-  static Registry registry;
-  for (const ParamSpec& p : registry.documentation("protocol", name).root.members)
+  for (const ParamSpec& p : registry().documentation("protocol", name).root.members)
     if (!config.contains(p.name) && !p.fallback.is_null()) config[p.name] = p.fallback;
-  return registry.create<Protocol>({name, config});
+  return registry().create<Protocol>({name, config});
 }
 
 class ProtocolRun {
  public:
   ProtocolRun(const PackedParticles& packing, const Json& law, const std::string& law_name, double tolerance,
-              const std::string& protocol, const Json& config, int dimension = 3, int threads = 1) {
-    static Registry registry;
-    laws_.emplace(registry, PluginStack{{{law_name, law}}});
-    EngineSettings settings;
-    settings.damping = {0.5, 0.5};
-    settings.threads = threads;
-    simulation_ =
-        std::make_unique<Simulation>(assemble(packing, {2650}, dimension, 1.0), laws_->interactions(), settings);
-    simulation_->bond({GapMeasure::relative, tolerance, std::nullopt});
-    protocol_ = make_protocol(protocol, config);
-    protocol_->setup(simulation_->view(), *simulation_, rows, host_);
-    simulation_->prepare();
-  }
+              const std::string& protocol, const Json& config, int dimension = 3, int threads = 1)
+      : rig_(registry(), packing, PluginStack{{{law_name, law}}}, make_protocol(protocol, config),
+             {dimension, 1.0, tolerance, threads}) {}
 
   /// To the protocol's end; fails when it takes more steps. `watch` sees each sample.
   template <class Watch>
-  void go(int most_steps, Watch&& watch, int every = 20, double load_change = 0) {
-    Loading loading(*simulation_, *laws_, *protocol_, {Protocol::kind, "under test"},
-                    {std::uint64_t(every), load_change});
-    for (int k = 0; k < most_steps; ++k) {
-      const LoadingStep now = loading.step();
-      if (now.row) {
-        if (simulation_->loading_started()) protocol_->sample(simulation_->view(), rows);
-        watch(*simulation_);
-        if (now.ends) {
-          Noted noted;
-          protocol_->finish(simulation_->view(), rows, noted);
-          summary = noted.all;
-          return;
-        }
-      }
-      simulation_->advance();
-    }
-    FAIL() << "the protocol did not end in " << most_steps << " steps: " << protocol_->status();
+  void go(std::uint64_t most_steps, Watch&& watch, int every = 20, double load_change = 0) {
+    rig_.sample_anew({std::uint64_t(every), load_change});
+    if (!rig_.go(most_steps, watch))
+      FAIL() << "the protocol did not end in " << most_steps << " steps: " << rig_.protocol().status();
+    summary = rig_.summary.all;
   }
-  void go(int most_steps, int every = 20, double load_change = 0) {
+  void go(std::uint64_t most_steps, int every = 20, double load_change = 0) {
     go(
         most_steps, [](Simulation&) {}, every, load_change);
   }
-  Simulation& simulation() { return *simulation_; }
-
-  Rows rows;
-  std::map<std::string, Json> summary;
+  Simulation& simulation() { return rig_.simulation(); }
 
  private:
-  SilentHost host_;
-  std::optional<ContactLaws> laws_;
-  std::unique_ptr<Simulation> simulation_;
-  std::unique_ptr<Protocol> protocol_;
+  ProtocolRig rig_;
+
+ public:
+  KeptCurves& rows = rig_.rows;
+  std::map<std::string, Json> summary;
 };
 
 /// Volume average over pairs, walls and applied forces, positive in tension [Pa]: as the post-processor `stress` has

@@ -25,6 +25,7 @@ MENU = [
         ("Parameter studies", "docs/sweeps.md"),
         ("What is measured", "docs/measurements.md"),
         ("Writing a contact law", "docs/writing_a_law.md"),
+        ("Writing a plugin", "docs/writing_a_plugin.md"),
         ("The package", "docs/package.md"),
     ]),
     ("Reference", [

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/law_check.hpp"
+#include "check/law_check.hpp"
 
 #include <fmt/format.h>
 
 #include <chrono>
 #include <cstring>
 
-#include "run/law_ways.hpp"
+#include "check/example.hpp"
+#include "check/law_ways.hpp"
 
 namespace breccia {
 namespace {
@@ -22,7 +23,7 @@ class LawCheck {
     dt_ = stiffest > 0 && std::isfinite(stiffest) ? 0.05 * std::sqrt(mass / stiffest) : 1e-8;
   }
 
-  std::vector<LawFinding> operator()() {
+  CheckFindings operator()() {
     for (const bool bonded : {true, false}) {
       if (bonded && !law_->makes_bonds()) continue;
       at_rest(bonded);
@@ -62,7 +63,9 @@ class LawCheck {
   }
   void add(std::string check, bool holds, std::string measured, std::string mend) {
     checked();
-    found_.push_back({std::move(check), holds, std::move(measured), holds ? "" : std::move(mend)});
+    using Outcome = CheckFinding::Outcome;
+    found_.push_back(
+        {std::move(check), holds ? Outcome::holds : Outcome::fails, std::move(measured), holds ? "" : std::move(mend)});
   }
 
   void at_rest(bool bonded) {
@@ -262,23 +265,11 @@ class LawCheck {
   /// Whatever the ranges of the parameters allow must give numbers.
   void box() {
     std::mt19937_64 random(13);
-    std::uniform_real_distribution<double> u(0, 1);
     int tried = 0;
     std::string bad;
+    const ParamSpec& root = registry_.documentation(ContactLaw::kind, choice_.type).root;
     for (int draw = 0; draw < 60 && bad.empty(); ++draw) {
-      Json config = choice_.config;
-      for (const ParamSpec& p : registry_.documentation(ContactLaw::kind, choice_.type).root.members) {
-        if (p.type != ParamType::quantity || !config.contains(p.name) || !config[p.name].is_number()) continue;
-        double value = config[p.name].get<double>() * std::pow(10.0, 4 * u(random) - 2);
-        const double edge = u(random);
-        if (p.lower && edge < 0.15)
-          value = p.lower->inclusive ? p.lower->value : p.lower->value + 1e-3 * std::abs(value);
-        if (p.upper && edge > 0.85)
-          value = p.upper->inclusive ? p.upper->value : p.upper->value - 1e-3 * std::abs(p.upper->value);
-        if (p.lower && (value < p.lower->value || (!p.lower->inclusive && value == p.lower->value))) continue;
-        if (p.upper && (value > p.upper->value || (!p.upper->inclusive && value == p.upper->value))) continue;
-        config[p.name] = value;
-      }
+      const Json config = drawn_config(root, choice_.config, random, 2, true);
       if (!registry_.check(ContactLaw::kind, choice_.type, config).empty()) continue;
       std::unique_ptr<GuardedLaw> law;
       try {
@@ -325,7 +316,7 @@ class LawCheck {
     std::string text = fmt::format("{:.2g} ns a pair and step", own);
     const auto names = registry_.names(ContactLaw::kind);
     if (const std::string other = "elastic_brittle"; std::find(names.begin(), names.end(), other) != names.end()) {
-      LawCheck reference(registry_, example_law(registry_, other));
+      LawCheck reference(registry_, example_plugin(registry_, ContactLaw::kind, other));
       text += fmt::format("; `{}` {:.2g}", other, nanoseconds(*reference.law_));
     }
     add("speed", true, text, "");
@@ -335,13 +326,11 @@ class LawCheck {
   PluginChoice choice_;
   std::unique_ptr<GuardedLaw> law_;
   double dt_ = 0, scale_ = 0;  ///< [s]; a stiffness that counts [N/m]
-  std::vector<LawFinding> found_;
+  CheckFindings found_;
 };
 
 }  // namespace
 
-std::vector<LawFinding> check_law(const Registry& registry, const PluginChoice& law) {
-  return LawCheck(registry, law)();
-}
+CheckFindings check_law(const Registry& registry, const PluginChoice& law) { return LawCheck(registry, law)(); }
 
 }  // namespace breccia

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/law_rig.hpp"
+#include "check/law_rig.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/law_ways.hpp"
+#include "check/law_ways.hpp"
 
 #include <fmt/format.h>
 

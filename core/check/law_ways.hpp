@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "run/law_rig.hpp"
+#include "check/law_rig.hpp"
 
 namespace breccia {
 

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// An archive that is kept in memory: written first, then read back.
+#pragma once
+
+#include <cstring>
+#include <map>
+
+#include "breccia/archive.hpp"
+
+namespace breccia {
+
+class MemoryArchive final : public Archive {
+ public:
+  bool reading() const override { return reading_; }
+  void read_back() { reading_ = true; }
+
+ private:
+  struct Entry {
+    archived::Element element;
+    std::size_t rows, columns;
+    std::vector<char> bytes;
+  };
+  static std::size_t size_of(archived::Element e) {
+    using archived::Element;
+    return e == Element::u8 || e == Element::text ? 1 : e == Element::i32 || e == Element::u32 ? 4 : 8;
+  }
+  void write(const std::string& path, archived::Element element, const void* data, std::size_t rows,
+             std::size_t columns, std::size_t stride) override {
+    const std::size_t row = columns * size_of(element);
+    Entry entry{element, rows, columns, std::vector<char>(rows * row)};
+    for (std::size_t k = 0; k < rows && row > 0; ++k)
+      std::memcpy(entry.bytes.data() + k * row, static_cast<const char*>(data) + k * stride, row);
+    if (!entries_.emplace(path, std::move(entry)).second) refuse(path, "it is written twice");
+  }
+  const Entry& entry(const std::string& path, archived::Element element, std::size_t columns) const {
+    const auto it = entries_.find(path);
+    if (it == entries_.end()) refuse(path, "it was not written");
+    if (it->second.element != element || it->second.columns != columns)
+      refuse(path, "it was written as something else");
+    return it->second;
+  }
+  std::size_t rows(const std::string& path, archived::Element element, std::size_t columns) override {
+    return entry(path, element, columns).rows;
+  }
+  void read(const std::string& path, archived::Element element, void* data, std::size_t rows, std::size_t columns,
+            std::size_t stride) override {
+    const Entry& from = entry(path, element, columns);
+    if (from.rows != rows) refuse(path, "it has another length");
+    const std::size_t row = columns * size_of(element);
+    for (std::size_t k = 0; k < rows && row > 0; ++k)
+      std::memcpy(static_cast<char*>(data) + k * stride, from.bytes.data() + k * row, row);
+  }
+  void open(const std::string&) override {}
+  [[noreturn]] void refuse(const std::string& path, const std::string& why) const override {
+    throw UserError("the archive's `" + path + "`: " + why);
+  }
+
+  std::map<std::string, Entry> entries_;
+  bool reading_ = false;
+};
+
+}  // namespace breccia

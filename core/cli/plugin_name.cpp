@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/plugin_name.hpp"
+
+#include "breccia/error.hpp"
+#include "config/suggest.hpp"
+
+namespace breccia::cli {
+
+std::pair<std::string, std::string> plugin_named(const Registry& registry, const std::string& written,
+                                                 const std::vector<std::string>& others, const std::string& takes) {
+  if (const auto slash = written.find('/'); slash != std::string::npos)
+    return {written.substr(0, slash), written.substr(slash + 1)};
+  std::vector<std::string> found, known = registry.kinds();
+  known.insert(known.end(), others.begin(), others.end());
+  for (const std::string& kind : registry.kinds())
+    for (const std::string& name : registry.names(kind)) {
+      if (name == written) found.push_back(kind);
+      known.push_back(name);
+    }
+  if (found.size() == 1) return {found[0], written};
+  if (!found.empty()) {
+    std::vector<std::string> full;
+    for (const std::string& kind : found) full.push_back(kind + "/" + written);
+    throw UserError("there is more than one plugin `" + written + "`: write one of " + list_of(full, 20));
+  }
+  const std::string near = closest(written, known);
+  throw UserError("nothing is called `" + written + "`" + (near.empty() ? "" : "; did you mean `" + near + "`?") +
+                  (near.empty() ? "; " : " ") + takes);
+}
+
+}  // namespace breccia::cli

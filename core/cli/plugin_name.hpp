@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// A plugin as it is named on the command line.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plugin/registry.hpp"
+
+namespace breccia::cli {
+
+/// Kind and name, of KIND/NAME or of a name that one kind alone has. `others`: what may be written instead, for "did
+/// you mean"; `takes`: how a message ends that says what may be written.
+std::pair<std::string, std::string> plugin_named(const Registry& registry, const std::string& written,
+                                                 const std::vector<std::string>& others, const std::string& takes);
+
+}  // namespace breccia::cli
