@@ -61,7 +61,7 @@ void check_time_step(Simulation& simulation, const ChecksConfig& limits, Host& h
   const auto found = simulation.step_setter(limits.time_step_ratio);
   if (!found) return;
   const Particles& p = simulation.state().particles;
-  const Vec3& x = p.position()[found->particle];
+  const Vec3 x = p.position()[found->particle];
   host.warn(fmt::format(
       "particle {} of the packing (radius {:.4g} m, at {:.4g}, {:.4g}, {:.4g} m){} makes the time step {:.3g} times "
       "shorter than it were without {}: the critical one, by the bound of single particles, is {:.3g} s instead of "
