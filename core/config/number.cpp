@@ -6,14 +6,9 @@
 #include <cmath>
 
 #include "breccia/error.hpp"
+#include "config/text.hpp"
 
 namespace breccia {
-
-namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-}  // namespace
 
 std::optional<DecimalText> scan_decimal(std::string_view text) {
   std::size_t at = 0;

@@ -7,14 +7,13 @@
 #include "config/section_reader.hpp"
 #include "config/shorthand.hpp"
 #include "config/suggest.hpp"
+#include "config/text.hpp"
 #include "config/to_yaml.hpp"
 #include "config/yaml_syntax.hpp"
 
 namespace breccia {
 
 namespace {
-
-std::string in_ticks(const std::string& s) { return "`" + s + "`"; }
 
 std::string joined(const std::vector<std::string>& names, const char* last) {
   std::string out;

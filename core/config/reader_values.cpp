@@ -7,13 +7,12 @@
 #include "config/section_reader.hpp"
 #include "config/shorthand.hpp"
 #include "config/suggest.hpp"
+#include "config/text.hpp"
 #include "config/units.hpp"
 
 namespace breccia {
 
 namespace {
-
-std::string in_ticks(const std::string& s) { return "`" + s + "`"; }
 
 /// A bound in the unit that the user wrote, where that gives a short number, else in SI.
 std::string bound_text(const Bound& bound, const Quantity& written, const std::string& si_unit) {

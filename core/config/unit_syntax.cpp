@@ -4,12 +4,12 @@
 #include <cctype>
 
 #include "breccia/utf8.hpp"
+#include "config/text.hpp"
 
 namespace breccia {
 
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) {
   return std::isalpha(static_cast<unsigned char>(c)) || (c & 0x80) || c == '%' || c == '_' || c == '\'';
 }

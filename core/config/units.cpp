@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "config/number.hpp"
+#include "config/text.hpp"
 #include "config/unit_dimension.hpp"
 #include "config/unit_syntax.hpp"
 
@@ -16,8 +17,6 @@ std::string_view trimmed(std::string_view s) {
   while (!s.empty() && s.back() == ' ') s.remove_suffix(1);
   return s;
 }
-
-std::string in_ticks(std::string_view s) { return "`" + std::string(s) + "`"; }
 
 /// "a pressure such as Pa, MPa, GPa or psi", for messages.
 std::string needed(const units::Dimension& dimension, const std::string& si_unit) {

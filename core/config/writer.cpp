@@ -26,13 +26,13 @@ bool is_plain_text(const std::string& text) {
   return true;
 }
 
-std::string in_ticks(const std::string& text) { return json_text(text); }
+std::string quoted(const std::string& text) { return json_text(text); }
 
 std::string scalar_text(const YamlNode& node) {
-  return node.plain || is_plain_text(node.text) ? node.text : in_ticks(node.text);
+  return node.plain || is_plain_text(node.text) ? node.text : quoted(node.text);
 }
 
-std::string key_text(const std::string& key) { return is_plain_text(key) ? key : in_ticks(key); }
+std::string key_text(const std::string& key) { return is_plain_text(key) ? key : quoted(key); }
 
 bool is_flat(const YamlNode& list) {
   return std::all_of(list.items.begin(), list.items.end(), [](const YamlPtr& item) {

@@ -9,13 +9,12 @@
 #include <new>
 
 #include "breccia/atomic_file.hpp"
+#include "config/text.hpp"
 #include "plugin/out_of_memory.hpp"
 
 namespace breccia {
 
 namespace {
-
-std::string in_ticks(std::string_view name) { return fmt::format("`{}`", name); }
 
 std::string who(const PluginId& p) {
   return fmt::format("{} `{}`{}", p.kind, p.type, p.name.empty() ? "" : " (" + in_ticks(p.name) + ")");

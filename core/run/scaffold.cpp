@@ -12,6 +12,7 @@
 
 #include "breccia/atomic_file.hpp"
 #include "breccia/text_file.hpp"
+#include "config/text.hpp"
 #include "plugin/search_path.hpp"
 
 namespace breccia {
@@ -21,7 +22,6 @@ namespace fs = std::filesystem;
 namespace {
 
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// What a plugin's source cannot use: words of C++, and what its class has within it.
 const std::set<std::string>& taken_words() {
@@ -112,18 +112,18 @@ std::map<fs::path, std::string> texts_of(const NewProject& project, const fs::pa
 }
 
 /// A folder in which the project grows, gone at the end.
-class Workshop {
+class ProjectInTheMaking {
  public:
-  Workshop(const fs::path& within, const fs::path& project) {
+  ProjectInTheMaking(const fs::path& within, const fs::path& project) {
     std::string name = (within / ".breccia-new-XXXXXX").string();
     if (!mkdtemp(name.data())) cannot_make(project, errno);
     path_ = name;
     // The folder that mkdtemp makes is for its owner alone; the project has the usual permissions.
     fs::create_directory(whole());
   }
-  Workshop(const Workshop&) = delete;
-  Workshop& operator=(const Workshop&) = delete;
-  ~Workshop() {
+  ProjectInTheMaking(const ProjectInTheMaking&) = delete;
+  ProjectInTheMaking& operator=(const ProjectInTheMaking&) = delete;
+  ~ProjectInTheMaking() {
     std::error_code ignored;
     fs::remove_all(path_, ignored);
   }
@@ -199,7 +199,7 @@ std::vector<fs::path> make_project(const NewProject& project, const fs::path& te
   if (!folder.has_filename()) folder = folder.parent_path();
   const bool there = is_there(folder);
   std::vector<fs::path> files;
-  const Workshop workshop(there ? folder : folder.parent_path(), folder);
+  const ProjectInTheMaking workshop(there ? folder : folder.parent_path(), folder);
   for (const auto& [name, text] : texts_of(project, templates)) {
     fs::create_directories((workshop.whole() / name).parent_path());
     write_file(workshop.whole() / name, text);
