@@ -22,7 +22,7 @@ function(breccia_add_plugin kind name)
     target_link_options(${target} PRIVATE -Wl,-z,undefs)
   endif()
   set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME "breccia_${kind}.${name}" SUFFIX ".so"
-    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON UNITY_BUILD OFF)  # each file has small names of its own
   if(TARGET breccia_headers_plugins)
     if("OpenMP::OpenMP_CXX" IN_LIST P_LINK)  # another dialect: headers of its own
       target_precompile_headers(${target} PRIVATE <breccia/contact_law.hpp>)

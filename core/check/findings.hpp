@@ -2,6 +2,8 @@
 /// What the trials of a plugin found, whatever its kind.
 #pragma once
 
+#include <cmath>
+#include <cstring>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,5 +43,10 @@ class Trials {
   std::vector<Seen> seen_;
   std::vector<Skipped> skipped_;
 };
+
+/// Bit by bit; what is no number is as good as any other.
+inline bool same_value(double a, double b) {
+  return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b));
+}
 
 }  // namespace breccia

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "breccia/si_unit.hpp"
+#include "check/findings.hpp"
 #include "check/names.hpp"
 
 namespace breccia {
@@ -21,13 +22,11 @@ class ThreadsHost final : public SilentHost {
   int threads_;
 };
 
-bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b)); }
-
 /// Of each unit the largest number: what is small against it is rounding.
 using Scales = std::map<std::string, double>;
 
 std::string differ(const std::string& what, double a, double b, double scale, bool exact) {
-  const bool fine = exact ? same(a, b) : same(a, b) || std::abs(a - b) <= 1e-7 * scale;
+  const bool fine = exact ? same_value(a, b) : same_value(a, b) || std::abs(a - b) <= 1e-7 * scale;
   return fine ? "" : fmt::format("{} is {:.9g} and {:.9g}", what, a, b);
 }
 

@@ -8,6 +8,7 @@
 #include "check/attempt.hpp"
 #include "check/check.hpp"
 #include "check/example.hpp"
+#include "check/findings.hpp"
 #include "check/made_specimen.hpp"
 #include "check/names.hpp"
 #include "check/protocol_rig.hpp"
@@ -26,22 +27,20 @@ std::optional<std::string> quick(const ParamSpec& p) {
   return {};
 }
 
-bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b)); }
-
 /// Empty when two tests were the same to the last bit. `rows` behind as many of the first are compared.
 std::string difference(ProtocolRig& a, ProtocolRig& b, bool with_rows) {
   if (a.steps() != b.steps()) return fmt::format("it ends after {} and {} steps", a.steps(), b.steps());
   const auto x = a.simulation().particles().position, y = b.simulation().particles().position;
   for (std::size_t k = 0; k < x.size(); ++k)
     for (int c = 0; c < 3; ++c)
-      if (!same(x[k][c], y[k][c])) return "the particles end elsewhere";
+      if (!same_value(x[k][c], y[k][c])) return "the particles end elsewhere";
   if (!with_rows) return {};
   for (std::size_t c = 0; c < a.rows.columns().size(); ++c) {
     const auto &u = a.rows.values(c), &v = b.rows.values(c);
     const std::string& name = a.rows.columns()[c].name;
     if (u.size() != v.size()) return fmt::format("curve `{}` has {} and {} rows", name, u.size(), v.size());
     for (std::size_t row = 0; row < u.size(); ++row)
-      if (!same(u[row], v[row]))
+      if (!same_value(u[row], v[row]))
         return fmt::format("curve `{}`, row {}, is {:.9g} and {:.9g}", name, row + 1, u[row], v[row]);
   }
   for (const auto& [key, value] : a.summary.all)

@@ -6,7 +6,7 @@ namespace breccia::cli {
 
 namespace {
 
-const char* const helpers =
+const char* const bash_helpers =
     R"bash(# Completion of breccia for bash; made from the program's declaration of its command line.
 
 _breccia_words() { mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -W "$*" -- "$cur"); }
@@ -56,7 +56,7 @@ std::vector<std::string> names(const std::vector<Argument>& options, bool with_v
 }  // namespace
 
 std::string bash_completion(const CommandModel& model) {
-  std::string out = helpers, verbs;
+  std::string out = bash_helpers, verbs;
   for (const Verb& verb : model.verbs) verbs += " " + verb.name;
   out += "  if ((COMP_CWORD == 1)); then\n    _breccia_words" + verbs + words_of(names(model.options, false)) +
          "\n    return\n  fi\n  case $verb in\n";

@@ -6,7 +6,7 @@ namespace breccia::cli {
 
 namespace {
 
-const char* const helpers =
+const char* const fish_helpers =
     R"fish(# Completion of breccia for fish; made from the program's declaration of its command line.
 
 function __breccia_plugins --description 'KIND/NAME, KIND, or a kind for the names of its plugins'
@@ -50,7 +50,7 @@ std::string option(const std::string& condition, const Argument& a) {
 }  // namespace
 
 std::string fish_completion(const CommandModel& model) {
-  std::string out = helpers;
+  std::string out = fish_helpers;
   for (const Argument& a : model.options) out += option("__fish_use_subcommand", a);
   for (const Verb& verb : model.verbs) {
     out += "\ncomplete -c breccia -n __fish_use_subcommand -a " + verb.name + " -d " + quoted(verb.text) + "\n";

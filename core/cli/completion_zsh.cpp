@@ -6,7 +6,7 @@ namespace breccia::cli {
 
 namespace {
 
-const char* const helpers = R"zsh(#compdef breccia
+const char* const zsh_helpers = R"zsh(#compdef breccia
 # Completion of breccia for zsh; made from the program's declaration of its command line.
 
 _breccia_files() { _files -g "${(j: :)@/#/*.}" } # ending...
@@ -63,7 +63,7 @@ std::string positionals(const std::vector<Argument>& all) {
 }  // namespace
 
 std::string zsh_completion(const CommandModel& model) {
-  std::string out = helpers;
+  std::string out = zsh_helpers;
   out += "  verbs=(";
   for (const Verb& verb : model.verbs) out += "\n    " + quoted(verb.name + ":" + replaced(verb.text, ":", "\\:"));
   out += ")\n  _arguments -C" + options(model.options) + " \\\n        '1:verb:->verb' '*::argument:->argument'\n";

@@ -28,7 +28,7 @@ Moments moments(const std::vector<double>& r) {
   return {mean, deviation, third / (second * deviation), fourth / (second * second) - 3};
 }
 
-RadiusConfig by_moments(Distribution kind, double mean, double deviation, double min, double max) {
+RadiusConfig by_moments(DistributionFamily kind, double mean, double deviation, double min, double max) {
   RadiusConfig c;
   c.distribution = kind;
   c.mean = mean;
@@ -40,29 +40,30 @@ RadiusConfig by_moments(Distribution kind, double mean, double deviation, double
 
 RadiusConfig sieves(std::vector<SieveRow> rows) {
   RadiusConfig c;
-  c.distribution = Distribution::sieves;
+  c.distribution = DistributionFamily::sieves;
   c.sieves = std::move(rows);
   return c;
 }
 
-TEST(Distribution, WeibullHasMeanAndDeviation) {
+TEST(DistributionFamily, WeibullHasMeanAndDeviation) {
   for (const double deviation : {0.1, 0.3}) {
-    const Moments m = moments(quantile_radii(by_moments(Distribution::weibull, 1, deviation, 0.3, 2).law(), 2000));
+    const Moments m =
+        moments(quantile_radii(by_moments(DistributionFamily::weibull, 1, deviation, 0.3, 2).law(), 2000));
     EXPECT_NEAR(m.mean, 1, 1e-9);
     EXPECT_NEAR(m.deviation, deviation, 1e-9);
   }
 }
 
-TEST(Distribution, WeibullHasItsShape) {
+TEST(DistributionFamily, WeibullHasItsShape) {
   // Hardly cut: skewness of a Weibull variable of shape 2 (Rayleigh) is 2 sqrt(pi) (pi - 3)/(4 - pi)^1.5 = 0.6311,
   // its deviation sqrt(4/pi - 1) = 0.52272 of the mean.
-  const Moments m = moments(quantile_radii(by_moments(Distribution::weibull, 1, 0.52272, 1e-4, 6).law(), 20000));
+  const Moments m = moments(quantile_radii(by_moments(DistributionFamily::weibull, 1, 0.52272, 1e-4, 6).law(), 20000));
   EXPECT_NEAR(m.skewness, 0.6311, 2e-3);
 }
 
-TEST(Distribution, MomentsMeetsAllFour) {
+TEST(DistributionFamily, MomentsMeetsAllFour) {
   // Rojek et al. (2012), Table A.2 [mm].
-  RadiusConfig c = by_moments(Distribution::moments, 0.6993391, 0.3252012, 0.1151885, 1.2399406);
+  RadiusConfig c = by_moments(DistributionFamily::moments, 0.6993391, 0.3252012, 0.1151885, 1.2399406);
   c.skewness = -0.0103777;
   c.kurtosis = -1.2784650;
   const auto r = quantile_radii(c.law(), 5868);
@@ -76,14 +77,14 @@ TEST(Distribution, MomentsMeetsAllFour) {
   EXPECT_LT(r.back() - r.front(), 1.2399406 - 0.1151885);
 }
 
-TEST(Distribution, MomentsOfMeanAndDeviationAloneIsTheCutNormal) {
+TEST(DistributionFamily, MomentsOfMeanAndDeviationAloneIsTheCutNormal) {
   // Of all densities on an interval with given mean and variance the one of largest entropy is exp(a + b r + c r^2).
-  const auto entropy = quantile_radii(by_moments(Distribution::moments, 1, 0.25, 0.5, 1.6).law(), 1000);
-  const auto normal = quantile_radii(by_moments(Distribution::normal, 1, 0.25, 0.5, 1.6).law(), 1000);
+  const auto entropy = quantile_radii(by_moments(DistributionFamily::moments, 1, 0.25, 0.5, 1.6).law(), 1000);
+  const auto normal = quantile_radii(by_moments(DistributionFamily::normal, 1, 0.25, 0.5, 1.6).law(), 1000);
   for (std::size_t k = 0; k < entropy.size(); ++k) ASSERT_NEAR(entropy[k], normal[k], 2e-6) << k;
 }
 
-TEST(Distribution, SievesPassTheMassOfTheirTable) {
+TEST(DistributionFamily, SievesPassTheMassOfTheirTable) {
   const std::vector<SieveRow> table = {{1e-3, 0}, {2e-3, 0.3}, {3e-3, 0.3}, {4e-3, 0.8}, {8e-3, 1}};
   const auto r = quantile_radii(sieves(table).law(), 200000);
   double all = 0;
@@ -99,18 +100,18 @@ TEST(Distribution, SievesPassTheMassOfTheirTable) {
   EXPECT_NEAR(passing / all, 0.9, 1e-3);
 }
 
-TEST(Distribution, RowsWithoutParticlesDoNotWidenTheLimits) {
+TEST(DistributionFamily, RowsWithoutParticlesDoNotWidenTheLimits) {
   const RadiusLaw law = sieves({{1e-3, 0}, {2e-3, 0}, {4e-3, 1}, {8e-3, 1}}).law();
   EXPECT_EQ(law.min, 1e-3);
   EXPECT_EQ(law.max, 2e-3);
 }
 
-TEST(Distribution, EveryMistakeIsNamed) {
+TEST(DistributionFamily, EveryMistakeIsNamed) {
   const auto expect = [](const RadiusConfig& c, const std::string& part) {
     const std::string text = test::user_error([&] { c.law(); });
     EXPECT_NE(text.find(part), std::string::npos) << "got: " << text;
   };
-  const RadiusConfig good = by_moments(Distribution::normal, 1, 0.2, 0.5, 1.6);
+  const RadiusConfig good = by_moments(DistributionFamily::normal, 1, 0.2, 0.5, 1.6);
   EXPECT_NO_THROW(good.law());
   RadiusConfig c = good;
   c.sieves = {{1e-3, 0}, {2e-3, 1}};
@@ -119,7 +120,7 @@ TEST(Distribution, EveryMistakeIsNamed) {
   c.skewness = 0.1;
   expect(c, "skewness and kurtosis belong to distribution: moments");
   c = good;
-  c.distribution = Distribution::moments;
+  c.distribution = DistributionFamily::moments;
   c.kurtosis = -1;
   expect(c, "kurtosis needs skewness");
   c.skewness = 2;  // kurtosis is never below skewness^2 - 2
@@ -137,7 +138,7 @@ TEST(Distribution, EveryMistakeIsNamed) {
   c.standard_deviation = 0.6;
   expect(c, "no distribution of this kind");
   c = RadiusConfig{};
-  c.distribution = Distribution::uniform;
+  c.distribution = DistributionFamily::uniform;
   c.min = 1;
   expect(c, "a uniform distribution needs min and max, or mean and standard_deviation");
   c.mean = 1.2;

@@ -127,7 +127,7 @@ TEST(Packing, SameSeedSameBitsOtherSeedOtherPacking) {
 TEST(Packing, AnyNumberOfThreadsGivesTheSameBits) {
   TestHost host;
   const Container box = Container::cylinder(0.010, 0.012);
-  const auto radii = quantile_radii({Distribution::normal, 0.6e-3, 0.12e-3, 0.3e-3, 1.0e-3}, 700);
+  const auto radii = quantile_radii({DistributionFamily::normal, 0.6e-3, 0.12e-3, 0.3e-3, 1.0e-3}, 700);
   const Spheres start = Optimiser(box, radii, {4000, 10, 1e-4, 1}, host).arrange(1);
   std::vector<Spheres> ends;
   for (const int threads : {1, 2, 3}) {
@@ -144,7 +144,7 @@ TEST(Packing, AnyNumberOfThreadsGivesTheSameBits) {
 TEST(Packing, EveryStepLowersTheEnergy) {
   TestHost host;
   const Container box = Container::cylinder(0.010, 0.012);
-  const auto radii = quantile_radii({Distribution::normal, 0.6e-3, 0.12e-3, 0.3e-3, 1.0e-3}, 700);
+  const auto radii = quantile_radii({DistributionFamily::normal, 0.6e-3, 0.12e-3, 0.3e-3, 1.0e-3}, 700);
   Optimiser optimiser(box, radii, {4000, 200, 1e-4, 1}, host);
   Spheres s = optimiser.arrange(1);
   const StageRecord all = optimiser.optimise_all(s), centres = optimiser.optimise_centres(s);

@@ -27,37 +27,39 @@ void expect_moments(const RadiusLaw& law, std::size_t n, double tolerance) {
 }
 
 TEST(Radii, NormalHasTheMomentsOfTheCutDistribution) {
-  expect_moments({Distribution::normal, 0.675935e-3, 0.1346085e-3, 0.3122622e-3, 1.186122e-3}, 10225, 1e-9);
+  expect_moments({DistributionFamily::normal, 0.675935e-3, 0.1346085e-3, 0.3122622e-3, 1.186122e-3}, 10225, 1e-9);
 }
-TEST(Radii, AStronglyCutNormalStillHasThem) { expect_moments({Distribution::normal, 1.0, 0.3, 0.5, 1.6}, 3000, 1e-9); }
-TEST(Radii, LognormalHasThem) { expect_moments({Distribution::lognormal, 1.0, 0.3, 0.3, 3.0}, 3000, 1e-9); }
-TEST(Radii, OneHundredAreEnoughForThem) { expect_moments({Distribution::normal, 1.0, 0.2, 0.4, 1.8}, 100, 1e-9); }
+TEST(Radii, AStronglyCutNormalStillHasThem) {
+  expect_moments({DistributionFamily::normal, 1.0, 0.3, 0.5, 1.6}, 3000, 1e-9);
+}
+TEST(Radii, LognormalHasThem) { expect_moments({DistributionFamily::lognormal, 1.0, 0.3, 0.3, 3.0}, 3000, 1e-9); }
+TEST(Radii, OneHundredAreEnoughForThem) { expect_moments({DistributionFamily::normal, 1.0, 0.2, 0.4, 1.8}, 100, 1e-9); }
 
 TEST(Radii, UniformSpreadsEvenly) {
-  const auto r = quantile_radii({Distribution::uniform, 1.0, 0.5 / std::sqrt(3.0), 0.5, 1.5}, 4);
+  const auto r = quantile_radii({DistributionFamily::uniform, 1.0, 0.5 / std::sqrt(3.0), 0.5, 1.5}, 4);
   ASSERT_EQ(r.size(), 4u);
   for (int k = 0; k < 4; ++k) EXPECT_NEAR(r[k], 0.625 + 0.25 * k, 1e-14);
 }
 
 TEST(Radii, AWideNormalHasTheQuantilesOfTheTables) {
   // Standard normal quantiles: Abramowitz & Stegun, table 26.1.
-  const auto r = quantile_radii({Distribution::normal, 100, 1, 90, 110}, 20001);
+  const auto r = quantile_radii({DistributionFamily::normal, 100, 1, 90, 110}, 20001);
   EXPECT_NEAR(r[10000], 100, 1e-6);
   EXPECT_NEAR(r[19500], 101.959964, 2e-3);
   EXPECT_NEAR(r[19900], 102.575829, 4e-3);
 }
 
 TEST(Radii, WithoutSpreadAllAreEqual) {
-  for (const double r : quantile_radii({Distribution::normal, 2.0, 0, 1, 3}, 7)) EXPECT_EQ(r, 2.0);
+  for (const double r : quantile_radii({DistributionFamily::normal, 2.0, 0, 1, 3}, 7)) EXPECT_EQ(r, 2.0);
 }
 
 TEST(Radii, OneRadiusIsInsideTheLimits) {
-  const auto r = quantile_radii({Distribution::normal, 1.0, 0.2, 0.4, 1.8}, 1);
+  const auto r = quantile_radii({DistributionFamily::normal, 1.0, 0.2, 0.4, 1.8}, 1);
   EXPECT_NEAR(r.at(0), 1.0, 0.05);
 }
 
 TEST(Radii, AnImpossibleSpreadIsRefused) {
-  EXPECT_THROW(quantile_radii({Distribution::normal, 1.0, 0.5, 0.9, 1.1}, 100), UserError);
+  EXPECT_THROW(quantile_radii({DistributionFamily::normal, 1.0, 0.5, 0.9, 1.1}, 100), UserError);
 }
 
 }  // namespace

@@ -158,7 +158,7 @@ TEST(Rearrangement, RadiiAreTheQuantilesToTheLastBit) {
   PackedParticles p = pack(loose(cylinder), host);
   std::sort(p.radius.begin(), p.radius.end());
   RadiusConfig radius;
-  radius.distribution = Distribution::uniform;
+  radius.distribution = DistributionFamily::uniform;
   radius.min = 0.3e-3;
   radius.max = 0.9e-3;
   EXPECT_EQ(p.radius, quantile_radii(radius.law(), p.radius.size()));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "breccia/error.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 // In hundredths of the picture's height.
 constexpr double left_margin = 3, top_margin = 3, bottom_margin = 11.5, right_margin = 100 * Overlay::share_of_bar;
 constexpr double usable_height = 100 - top_margin - bottom_margin;
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 }  // namespace
 

@@ -28,8 +28,8 @@ std::vector<Curve> described_curves(std::filesystem::path file, const std::vecto
   file.replace_extension(".json");
   if (!std::filesystem::exists(file)) return {};
   const Json described = Json::parse(read_text_file(file), nullptr, false);
-  const auto text = [](const Json& object, const char* key) {  // empty when it is none
-    const auto at = object.find(key);
+  const auto text = [](const Json& object, const char* name) {  // empty when it is none
+    const auto at = object.find(name);
     return at != object.end() && at->is_string() ? at->get<std::string>() : std::string();
   };
   std::vector<Curve> curves;

@@ -10,7 +10,7 @@ namespace breccia::pictures {
 namespace {
 
 using L = ChartLayout;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Point on_circle(double radius, double angle) { return radius * Point(std::cos(angle), std::sin(angle)); }
 

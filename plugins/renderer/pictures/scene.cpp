@@ -8,7 +8,7 @@
 namespace breccia::pictures {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr Rgb edge_colour{115, 115, 115}, wall_colour{243, 243, 243};
 
 /// Two unit vectors that make a right-handed frame with n.

@@ -26,20 +26,21 @@ struct SieveRow {
 };
 
 struct RadiusConfig {
-  Distribution distribution = Distribution::normal;
+  DistributionFamily distribution = DistributionFamily::normal;
   std::optional<double> mean, standard_deviation, skewness, kurtosis, min, max;  // [m], [m], [1], [1], [m], [m]
   std::optional<std::vector<SieveRow>> sieves;
 
   static void describe(Schema<RadiusConfig>& s) {
     s.param("distribution", &RadiusConfig::distribution)
-        .choice("normal", Distribution::normal, "normal, cut at min and max")
-        .choice("lognormal", Distribution::lognormal, "lognormal, cut at min and max")
-        .choice("weibull", Distribution::weibull, "Weibull, cut at min and max")
-        .choice("uniform", Distribution::uniform, "uniform, from min to max, or from its mean and standard_deviation")
-        .choice("moments", Distribution::moments,
+        .choice("normal", DistributionFamily::normal, "normal, cut at min and max")
+        .choice("lognormal", DistributionFamily::lognormal, "lognormal, cut at min and max")
+        .choice("weibull", DistributionFamily::weibull, "Weibull, cut at min and max")
+        .choice("uniform", DistributionFamily::uniform,
+                "uniform, from min to max, or from its mean and standard_deviation")
+        .choice("moments", DistributionFamily::moments,
                 "the distribution of largest entropy between min and max with this mean, standard_deviation and, where "
                 "given, skewness and kurtosis: what is known, and nothing else")
-        .choice("sieves", Distribution::sieves, "a grading curve by mass, linear in the size between two sieves")
+        .choice("sieves", DistributionFamily::sieves, "a grading curve by mass, linear in the size between two sieves")
         .doc("of the number of particles over their radius")
         .fallback("normal");
     s.param("mean", &RadiusConfig::mean)
@@ -79,11 +80,11 @@ struct RadiusConfig {
 
   /// Fills in what may be left out; UserError when the values contradict each other.
   RadiusLaw law() const {
-    if (distribution == Distribution::sieves) return sieve_law();
+    if (distribution == DistributionFamily::sieves) return sieve_law();
     if (sieves) throw UserError("sieves belong to distribution: sieves");
-    if ((skewness || kurtosis) && distribution != Distribution::moments)
+    if ((skewness || kurtosis) && distribution != DistributionFamily::moments)
       throw UserError("skewness and kurtosis belong to distribution: moments");
-    RadiusLaw law = distribution == Distribution::uniform && min && max ? uniform_law() : law_of_moments();
+    RadiusLaw law = distribution == DistributionFamily::uniform && min && max ? uniform_law() : law_of_moments();
     if (!(law.min > 0)) throw UserError("this standard_deviation gives radii below zero: lower it");
     if (law.min > law.max) throw UserError("min is larger than max");
     if (law.mean < law.min || law.mean > law.max) throw UserError("the mean is not between min and max");
@@ -94,7 +95,7 @@ struct RadiusConfig {
  private:
   RadiusLaw uniform_law() const {
     RadiusLaw law;
-    law.distribution = Distribution::uniform;
+    law.distribution = DistributionFamily::uniform;
     law.min = *min;
     law.max = *max;
     law.mean = 0.5 * (law.min + law.max);
@@ -108,7 +109,7 @@ struct RadiusConfig {
   }
 
   RadiusLaw law_of_moments() const {
-    const bool uniform = distribution == Distribution::uniform;
+    const bool uniform = distribution == DistributionFamily::uniform;
     if (!mean || !standard_deviation)
       throw UserError(uniform ? "a uniform distribution needs min and max, or mean and standard_deviation"
                               : "this distribution needs mean and standard_deviation");
@@ -130,7 +131,7 @@ struct RadiusConfig {
     if (!sieves || mean || standard_deviation || skewness || kurtosis || min || max)
       throw UserError("distribution: sieves is given by sieves, and by nothing else");
     RadiusLaw law;
-    law.distribution = Distribution::sieves;
+    law.distribution = DistributionFamily::sieves;
     for (const SieveRow& row : *sieves) {
       if (!law.grading.empty() &&
           (row.size <= 2 * law.grading.back().radius || row.passing < law.grading.back().passing))

@@ -14,7 +14,7 @@
 
 namespace breccia {
 
-enum class Distribution { normal, lognormal, uniform, weibull, moments, sieves };
+enum class DistributionFamily { normal, lognormal, uniform, weibull, moments, sieves };
 
 /// A point of a grading curve: the share of the mass in particles up to this radius [m].
 struct GradingPoint {
@@ -24,7 +24,7 @@ struct GradingPoint {
 /// What is asked of the radii [m]. Moments are those of the truncated distribution itself, not of the one it is cut
 /// from; kurtosis is the excess over the normal distribution's.
 struct RadiusLaw {
-  Distribution distribution = Distribution::normal;
+  DistributionFamily distribution = DistributionFamily::normal;
   double mean = 0, standard_deviation = 0, min = 0, max = 0;
   std::optional<double> skewness = {}, kurtosis = {};
   std::vector<GradingPoint> grading = {};
@@ -69,19 +69,19 @@ inline double normal_quantile(double u, double guess) {
 /// Radius = location + scale z, or its exponential; z is a standard variable: normal, or (Weibull) the logarithm of a
 /// standard exponential one.
 struct LocationScale {
-  Distribution kind;
-  bool logarithmic() const { return kind != Distribution::normal; }
-  double cdf(double z) const { return kind == Distribution::weibull ? -std::expm1(-std::exp(z)) : normal_cdf(z); }
+  DistributionFamily kind;
+  bool logarithmic() const { return kind != DistributionFamily::normal; }
+  double cdf(double z) const { return kind == DistributionFamily::weibull ? -std::expm1(-std::exp(z)) : normal_cdf(z); }
   double quantile(double u, double guess) const {
-    return kind == Distribution::weibull ? std::log(-std::log1p(-u)) : normal_quantile(u, guess);
+    return kind == DistributionFamily::weibull ? std::log(-std::log1p(-u)) : normal_quantile(u, guess);
   }
   /// Those that have the mean and deviation before it is cut.
   void start(const RadiusLaw& law, double& location, double& scale) const {
     const double ratio = law.standard_deviation / law.mean;
-    if (kind == Distribution::normal) {
+    if (kind == DistributionFamily::normal) {
       location = law.mean;
       scale = law.standard_deviation;
-    } else if (kind == Distribution::lognormal) {
+    } else if (kind == DistributionFamily::lognormal) {
       scale = std::sqrt(std::log1p(ratio * ratio));
       location = std::log(law.mean) - 0.5 * scale * scale;
     } else {
@@ -242,15 +242,15 @@ inline std::vector<double> grading_quantiles(const RadiusLaw& law, std::size_t n
 /// mean and standard deviation are those of the law to 1e-10 from 100 radii on; fewer are quantiles of the law for 100.
 /// UserError when no such distribution exists.
 inline std::vector<double> quantile_radii(const RadiusLaw& law, std::size_t n) {
-  if (law.distribution == Distribution::sieves) return detail::grading_quantiles(law, n);
-  if (law.distribution == Distribution::uniform) {
+  if (law.distribution == DistributionFamily::sieves) return detail::grading_quantiles(law, n);
+  if (law.distribution == DistributionFamily::uniform) {
     std::vector<double> r(n);
     for (std::size_t k = 0; k < n; ++k) r[k] = law.min + (law.max - law.min) * (double(k) + 0.5) / double(n);
     return r;
   }
   if (law.standard_deviation <= 1e-9 * law.mean) return std::vector<double>(n, law.mean);
-  return law.distribution == Distribution::moments ? detail::entropy_quantiles(law, n)
-                                                   : detail::fitted_quantiles(law, n);
+  return law.distribution == DistributionFamily::moments ? detail::entropy_quantiles(law, n)
+                                                         : detail::fitted_quantiles(law, n);
 }
 
 }  // namespace breccia
