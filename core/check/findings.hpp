@@ -2,8 +2,9 @@
 /// What the trials of a plugin found, whatever its kind.
 #pragma once
 
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,7 +47,7 @@ class Trials {
 
 /// Bit by bit; what is no number is as good as any other.
 inline bool same_value(double a, double b) {
-  return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b));
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));
 }
 
 }  // namespace breccia

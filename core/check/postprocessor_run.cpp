@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 
 #include "breccia/si_unit.hpp"
 #include "check/findings.hpp"
