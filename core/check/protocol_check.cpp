@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-
 #include "archive/memory_archive.hpp"
 #include "breccia/contact_law.hpp"
 #include "check/attempt.hpp"
