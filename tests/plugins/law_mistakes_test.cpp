@@ -54,8 +54,10 @@ TEST(LawCheck, ShippedLawsHold) {
 
 TEST(LawCheck, FindsEachMistakeAndSaysWhere) {
   const std::string plugin = "--plugin " BRECCIA_FIXTURES "/mistaken.so --set mistake=";
+  // Without any other, its loop is one that no compiler vectorises: it may count its calls.
   const Output none = check("mistaken", plugin + "none");
-  EXPECT_EQ(none.code, 0) << none.text;
+  const std::string scalar = "FAILED  the loop is vectorised";
+  EXPECT_TRUE(has(none.text, scalar) && has(none.text, "1 of the checks failed")) << none.text;
   struct {
     const char* mistake;
     const char* check;
