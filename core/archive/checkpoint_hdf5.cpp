@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstring>
 #include <fstream>
+#include <set>
 #include <span>
 
 #include "archive/checkpoint_file.hpp"
@@ -104,7 +105,12 @@ class Writer final : public CheckpointWriter {
   void open(const std::string& group) override;
   [[noreturn]] void refuse(const std::string& path, const std::string& why) const override;
 
+  /// Notes what is to be made: false where that group is there. HDF5 would fail at a name that is there twice, and
+  /// cannot say that it was only that.
+  bool claim(const std::string& path, bool array);
+
   hid_t file_ = -1;
+  std::set<std::string> arrays_, groups_;
   static inline bool has_failed = false;  ///< what it then leaves of a file cannot be closed: not to be gone on with
 };
 
@@ -146,14 +152,29 @@ void Writer::refuse(const std::string& path, const std::string& why) const {
   throw UserError("no checkpoint can be made: " + path + ": " + why);
 }
 
+bool Writer::claim(const std::string& path, bool array) {
+  const auto twice = [&] { return UserError("no checkpoint can be made: " + path + ": is there twice"); };
+  if (arrays_.contains(path) || (array && groups_.contains(path))) throw twice();
+  if (!array && groups_.contains(path)) return false;
+  for (std::size_t at = path.find('/', 1); at != path.npos; at = path.find('/', at + 1)) {
+    if (arrays_.contains(path.substr(0, at))) throw twice();
+    groups_.insert(path.substr(0, at));
+  }
+  (array ? arrays_ : groups_).insert(path);
+  return true;
+}
+
 void Writer::open(const std::string& group) {
-  if (H5Lexists(file_, group.c_str(), H5P_DEFAULT) > 0) return;
-  const Handle made(H5Gcreate2(file_, group.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+  if (!claim(group, false)) return;
+  const Handle link(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(link, 1);
+  const Handle made(H5Gcreate2(file_, group.c_str(), link, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   if (made < 0) refuse(group, "the group cannot be made");
 }
 
 void Writer::write(const std::string& path, Element element, const void* data, std::size_t rows, std::size_t columns,
                    std::size_t stride) {
+  claim(path, true);
   const Type type = type_of(element);
   const std::size_t row = columns * type.size;
   std::vector<char> packed;
@@ -173,8 +194,10 @@ void Writer::write(const std::string& path, Element element, const void* data, s
     H5Pset_fletcher32(how);
   }
   H5Pset_obj_track_times(how, false);  // the same state, the same bytes
-  const Handle set(H5Dcreate2(file_, path.c_str(), type.file, space, H5P_DEFAULT, how, H5P_DEFAULT), H5Dclose);
-  if (set < 0) refuse(path, "is there twice");
+  const Handle link(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(link, 1);
+  const Handle set(H5Dcreate2(file_, path.c_str(), type.file, space, link, how, H5P_DEFAULT), H5Dclose);
+  if (set < 0) refuse(path, "HDF5 cannot hold it: is there memory enough?");
   if (rows > 0 && H5Dwrite(set, type.memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0)
     refuse(path, "HDF5 cannot hold it: is there memory enough?");
 }

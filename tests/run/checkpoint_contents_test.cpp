@@ -43,6 +43,25 @@ TEST(CheckpointContents, AListEndsWhereThereIsNoMore) {
   EXPECT_NE(refusal([&](Archive& a) { a("list", list); }).find("/list/1: is missing"), std::string::npos);
 }
 
+TEST(CheckpointContents, ANameThatIsThereTwiceIsRefusedAndTheNextCheckpointIsMade) {
+  double x = 1;
+  std::vector<double> list = {1, 2};
+  const auto second = [&](const char* first, const char* name, auto& value) -> std::string {
+    const auto writer = begin_checkpoint();
+    (*writer)(first, x);
+    try {
+      (*writer)(name, value);
+    } catch (const UserError& e) { return e.what(); }
+    return {};
+  };
+  const std::string twice = "no checkpoint can be made: /a";
+  EXPECT_EQ(second("a", "a", x).substr(0, twice.size()), twice);
+  EXPECT_EQ(second("a", "a/b", x).substr(0, twice.size()), twice);
+  EXPECT_EQ(second("a/b", "a", x).substr(0, twice.size()), twice);
+  EXPECT_EQ(second("a/b", "a/c", x), "");
+  EXPECT_EQ(second("a", "b", list), "");
+}
+
 TEST(CheckpointContents, RecordsAreAsManyAsTheirMembers) {
   std::vector<Record> list;
   const std::string said = refusal([&](Archive& a) { a.records("list", list, std::pair("x", &Record::x)); });
