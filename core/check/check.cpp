@@ -13,14 +13,14 @@
 namespace breccia {
 
 CheckFindings check_plugin(const Registry& registry, const std::string& kind, const std::string& name,
-                           const std::vector<std::string>& parameters) {
-  if (kind == ContactLaw::kind) return check_law(registry, example_plugin(registry, kind, name, parameters));
-  if (kind == Packing::kind) return check_packing(registry, name, parameters);
-  if (kind == Protocol::kind) return check_protocol(registry, name, parameters);
-  if (kind == Postprocessor::kind) return check_postprocessor(registry, name, parameters);
-  if (kind == Output::kind) return check_output(registry, name, parameters);
+                           const std::vector<std::string>& parameters, const Host& user) {
+  if (kind == ContactLaw::kind) return check_law(registry, example_plugin(registry, kind, name, parameters), user);
+  if (kind == Packing::kind) return check_packing(registry, name, parameters, user);
+  if (kind == Protocol::kind) return check_protocol(registry, name, parameters, user);
+  if (kind == Postprocessor::kind) return check_postprocessor(registry, name, parameters, user);
+  if (kind == Output::kind) return check_output(registry, name, parameters, user);
   BRECCIA_ASSERT(kind == Renderer::kind);
-  return check_renderer(registry, name, parameters);
+  return check_renderer(registry, name, parameters, user);
 }
 
 }  // namespace breccia

@@ -10,6 +10,7 @@ namespace breccia {
 
 void Trials::see(std::string_view check, const std::string& where, bool holds, const std::string& measured,
                  std::string_view mend, double badness) {
+  if (user_.cancelled()) throw Cancelled();
   auto it = std::find_if(seen_.begin(), seen_.end(), [&](const Seen& s) { return s.check == check; });
   if (it == seen_.end()) it = seen_.insert(seen_.end(), {std::string(check), "", "", "", "", "", -1, 0, 0});
   ++it->cases;
@@ -26,6 +27,7 @@ void Trials::see(std::string_view check, const std::string& where, bool holds, c
 }
 
 void Trials::skip(std::string_view check, const std::string& where, const std::string& why) {
+  if (user_.cancelled()) throw Cancelled();
   auto it = std::find_if(skipped_.begin(), skipped_.end(),
                          [&](const Skipped& s) { return s.check == check && s.why == why; });
   if (it == skipped_.end()) it = skipped_.insert(skipped_.end(), {std::string(check), why, {}});

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "breccia/services.hpp"
+
 namespace breccia {
 
 struct CheckFinding {
@@ -21,8 +23,10 @@ struct CheckFinding {
 using CheckFindings = std::vector<CheckFinding>;
 
 /// Checks that are made in several cases (shapes, dimensions): each gives one finding, that of its worst case.
+/// Cancelled when the user wants them to end.
 class Trials {
  public:
+  explicit Trials(const Host& user) : user_(user) {}
   /// `badness`: of those that hold the text of the worst is told. Every text may be built for each call: few are.
   void see(std::string_view check, const std::string& where, bool holds, const std::string& measured,
            std::string_view mend, double badness = 0);
@@ -41,6 +45,7 @@ class Trials {
     std::string check, why;
     std::vector<std::string> where;
   };
+  const Host& user_;
   std::vector<Seen> seen_;
   std::vector<Skipped> skipped_;
 };

@@ -14,7 +14,8 @@ namespace {
 
 class LawCheck {
  public:
-  LawCheck(const Registry& registry, const PluginChoice& choice) : registry_(registry), choice_(choice) {
+  LawCheck(const Registry& registry, const PluginChoice& choice, const Host& user)
+      : registry_(registry), choice_(choice), user_(user) {
     law_ = make(choice.config);
     const ContactStiffness k = LawRig(*law_, {}, 1e-9).stiffness();
     const double mass = 1e-5,
@@ -62,6 +63,7 @@ class LawCheck {
     law_->check();  // what the law threw
   }
   void add(std::string check, bool holds, std::string measured, std::string mend) {
+    if (user_.cancelled()) throw Cancelled();
     checked();
     using Outcome = CheckFinding::Outcome;
     found_.push_back(
@@ -334,7 +336,7 @@ class LawCheck {
     std::string text = fmt::format("{:.2g} ns a pair and step", own.loop);
     const auto names = registry_.names(ContactLaw::kind);
     if (const std::string other = "elastic_brittle"; std::find(names.begin(), names.end(), other) != names.end()) {
-      LawCheck reference(registry_, example_plugin(registry_, ContactLaw::kind, other));
+      LawCheck reference(registry_, example_plugin(registry_, ContactLaw::kind, other), user_);
       text += fmt::format("; `{}` {:.2g}", other, speed_of(*reference.law_).loop);
     }
     add("speed", true, text, "");
@@ -342,6 +344,7 @@ class LawCheck {
 
   const Registry& registry_;
   PluginChoice choice_;
+  const Host& user_;
   std::unique_ptr<GuardedLaw> law_;
   double dt_ = 0, scale_ = 0;  ///< [s]; a stiffness that counts [N/m]
   CheckFindings found_;
@@ -349,6 +352,8 @@ class LawCheck {
 
 }  // namespace
 
-CheckFindings check_law(const Registry& registry, const PluginChoice& law) { return LawCheck(registry, law)(); }
+CheckFindings check_law(const Registry& registry, const PluginChoice& law, const Host& user) {
+  return LawCheck(registry, law, user)();
+}
 
 }  // namespace breccia

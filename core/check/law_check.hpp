@@ -8,7 +8,7 @@
 namespace breccia {
 
 /// The law of that configuration (checked, SI) through all trials, in their order. Deterministic, but for the last one,
-/// which takes its time. PluginFault where the law itself throws.
-CheckFindings check_law(const Registry& registry, const PluginChoice& law);
+/// which takes its time. PluginFault where the law itself throws; Cancelled when `user` wants it to end.
+CheckFindings check_law(const Registry& registry, const PluginChoice& law, const Host& user);
 
 }  // namespace breccia

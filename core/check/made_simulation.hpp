@@ -122,4 +122,14 @@ struct MadeSimulation {
   }
 };
 
+inline MadeSimulation without_pairs(MadeSimulation s) {
+  for (auto* index : {&s.pair_i, &s.pair_j, &s.pair_bond, &s.bond_i, &s.bond_j, &s.bond_pair, &s.crack_of})
+    index->clear();
+  for (auto* length : {&s.rest_length, &s.initial_distance}) length->clear();
+  for (auto* state : {&s.pair_state, &s.bond_state}) state->clear();
+  s.force.clear();
+  s.cracks.clear();
+  return s;
+}
+
 }  // namespace breccia

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <map>
-
 #include "archive/memory_archive.hpp"
 #include "breccia/output.hpp"
-#include "breccia/text_file.hpp"
 #include "check/attempt.hpp"
 #include "check/check.hpp"
 #include "check/example.hpp"
+#include "check/files.hpp"
 #include "check/made_specimen.hpp"
 #include "output/temporary_folder.hpp"
 
@@ -16,20 +14,13 @@ namespace breccia {
 namespace {
 
 namespace fs = std::filesystem;
-using Files = std::map<std::string, std::string>;
-
-Files files_in(const fs::path& folder) {
-  Files all;
-  std::error_code none;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, none))
-    if (entry.is_regular_file()) all[entry.path().lexically_relative(folder).string()] = read_bytes(entry.path());
-  return all;
-}
-
 class OutputCheck {
  public:
-  OutputCheck(const Registry& registry, PluginChoice choice)
-      : registry_(registry), choice_(std::move(choice)), folder_(fs::temp_directory_path(), "breccia-check") {}
+  OutputCheck(const Registry& registry, PluginChoice choice, const Host& user)
+      : registry_(registry),
+        choice_(std::move(choice)),
+        folder_(fs::temp_directory_path(), "breccia-check"),
+        trials_(user) {}
 
   CheckFindings operator()() {
     for (const MadeForm& form : made_forms()) {
@@ -87,13 +78,8 @@ class OutputCheck {
                 "files hold no clock, no name of a folder and nothing that was not set");
     resumed(written[0]);
     gone();
-    MadeSimulation bare = states_.front();
-    bare.pair_i.clear(), bare.pair_j.clear(), bare.pair_bond.clear(), bare.rest_length.clear(), bare.pair_state.clear(),
-        bare.force.clear();
-    bare.bond_i.clear(), bare.bond_j.clear(), bare.bond_pair.clear(), bare.initial_distance.clear(),
-        bare.crack_of.clear(), bare.bond_state.clear();
     const auto output = begin(fresh());
-    frame(*output, bare);
+    frame(*output, without_pairs(states_.front()));
     output->finish();
   }
 
@@ -149,8 +135,8 @@ class OutputCheck {
 }  // namespace
 
 CheckFindings check_output(const Registry& registry, const std::string& name,
-                           const std::vector<std::string>& parameters) {
-  return OutputCheck(registry, example_plugin(registry, Output::kind, name, parameters))();
+                           const std::vector<std::string>& parameters, const Host& user) {
+  return OutputCheck(registry, example_plugin(registry, Output::kind, name, parameters), user)();
 }
 
 }  // namespace breccia

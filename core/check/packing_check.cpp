@@ -19,17 +19,19 @@ namespace {
 
 class PackingHost final : public SilentHost {
  public:
-  explicit PackingHost(int threads = 1, double cancel_after = 1e9) : threads_(threads), until_(cancel_after) {}
+  explicit PackingHost(const Host& user, int threads = 1, double cancel_after = 1e9)
+      : user_(user), threads_(threads), until_(cancel_after) {}
   int threads() const override { return threads_; }
   bool cancelled() const override {
     ++asked;
-    return seconds() >= until_;
+    return seconds() >= until_ || user_.cancelled();
   }
   /// Of the processor: others on the machine have no part in it.
   double seconds() const { return double(std::clock() - start_) / CLOCKS_PER_SEC; }
   mutable std::atomic<long> asked = 0;
 
  private:
+  const Host& user_;
   int threads_;
   double until_;
   std::clock_t start_ = std::clock();
@@ -37,8 +39,13 @@ class PackingHost final : public SilentHost {
 
 class PackingCheck {
  public:
-  PackingCheck(const Registry& registry, const std::string& name, const std::vector<std::string>& parameters)
-      : registry_(registry), name_(name), folder_(std::filesystem::temp_directory_path(), "breccia-check") {
+  PackingCheck(const Registry& registry, const std::string& name, const std::vector<std::string>& parameters,
+               const Host& user)
+      : registry_(registry),
+        name_(name),
+        folder_(std::filesystem::temp_directory_path(), "breccia-check"),
+        user_(user),
+        trials_(user) {
     cases_ = packing_cases(registry, name, parameters, folder_.path(), refused_);
   }
 
@@ -93,7 +100,7 @@ class PackingCheck {
 
   void one_case() {
     PackedParticles packed;
-    PackingHost host;
+    PackingHost host(user_);
     const Attempt end = attempt([&] { packed = make(host); });
     const double seconds = host.seconds();
     if (end.end == Attempt::End::refused) return trials_.skip(makes, case_->name, end.text);
@@ -266,7 +273,7 @@ class PackingCheck {
   void again(const PackedParticles& packed, const PackingMeasures& m) {
     const std::string different = "another packing";
     const auto other = [&](int threads, std::uint64_t seed) {
-      PackingHost host(threads);
+      PackingHost host(user_, threads);
       bool same = false;
       const Attempt end = attempt([&] { same = same_packing(packed, make(host, seed)); });
       return !end ? end.text : same ? "" : different;
@@ -294,7 +301,7 @@ class PackingCheck {
     const double each = seconds / double(particles);
     constexpr double slow = 20e-6;  // a million of them would take 20 s
     const PackingCase* const given = case_;
-    PackingHost host(1, -1);
+    PackingHost host(user_, 1, -1);
     Attempt end = attempt([&] { make(host); });
     double allowed = 0.5 * seconds + 0.2, took = host.seconds();
     if (const auto more = enlarged(*given, 3); host.asked == 0 && each > slow && more) {
@@ -330,7 +337,7 @@ class PackingCheck {
       PackedParticles packed;
       const Attempt end = attempt([&] {
         if (!registry_.check(Packing::kind, name_, drawn.choice.config).empty()) throw UserError("its own rules");
-        PackingHost host(1, 0.15);
+        PackingHost host(user_, 1, 0.15);
         packed = make(host);
       });
       if (end.end == Attempt::End::fault) fault = end.text + ", with " + drawn.choice.config.dump();
@@ -349,6 +356,7 @@ class PackingCheck {
   std::vector<PackingWays> cases_;
   std::vector<std::pair<std::string, std::string>> refused_;
   const PackingCase* case_ = nullptr;
+  const Host& user_;
   Trials trials_;
   bool reads_ = false;
   int ranged_[2] = {0, 0};
@@ -357,8 +365,8 @@ class PackingCheck {
 }  // namespace
 
 CheckFindings check_packing(const Registry& registry, const std::string& name,
-                            const std::vector<std::string>& parameters) {
-  return PackingCheck(registry, name, parameters)();
+                            const std::vector<std::string>& parameters, const Host& user) {
+  return PackingCheck(registry, name, parameters, user)();
 }
 
 }  // namespace breccia

@@ -37,7 +37,8 @@ std::optional<double> expected_strain(const std::string& name, const Mat3& strai
 
 class PostprocessorCheck {
  public:
-  PostprocessorCheck(const Registry& registry, PluginChoice choice) : registry_(registry), choice_(std::move(choice)) {}
+  PostprocessorCheck(const Registry& registry, PluginChoice choice, const Host& user)
+      : registry_(registry), choice_(std::move(choice)), trials_(user) {}
 
   CheckFindings operator()() {
     for (const MadeForm& form : made_forms())
@@ -235,11 +236,6 @@ class PostprocessorCheck {
   }
 
   void edges(const MadeForm& form) {
-    MadeSimulation loose = first_;
-    loose.pair_i.clear(), loose.pair_j.clear(), loose.pair_bond.clear(), loose.rest_length.clear();
-    loose.pair_state.clear(), loose.force.clear();
-    loose.bond_i.clear(), loose.bond_j.clear(), loose.bond_pair.clear(), loose.initial_distance.clear();
-    loose.crack_of.clear(), loose.bond_state.clear();
     PackedParticles one = made_packing(form, false);
     one.position.resize(1);
     one.radius.resize(1);
@@ -255,7 +251,7 @@ class PostprocessorCheck {
       if (end.end == Attempt::End::refused) trials_.skip(numbers, where, end.text);
       else trials_.see(numbers, where, end && fault.empty(), end ? fault : end.text, numbers_mend);
     };
-    tried("without bonds", loose, 0);
+    tried("without bonds", without_pairs(whole), 0);
     tried("all bonds broken", whole, 1);
     tried("one particle", made_simulation(one, form.dimension), 0);
     first_ = whole;
@@ -272,8 +268,8 @@ class PostprocessorCheck {
 }  // namespace
 
 CheckFindings check_postprocessor(const Registry& registry, const std::string& name,
-                                  const std::vector<std::string>& parameters) {
-  return PostprocessorCheck(registry, example_plugin(registry, Postprocessor::kind, name, parameters))();
+                                  const std::vector<std::string>& parameters, const Host& user) {
+  return PostprocessorCheck(registry, example_plugin(registry, Postprocessor::kind, name, parameters), user)();
 }
 
 }  // namespace breccia

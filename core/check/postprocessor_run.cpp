@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "breccia/si_unit.hpp"
 #include "check/findings.hpp"
 #include "check/names.hpp"
 
@@ -47,14 +46,6 @@ double largest(const Json& value) {
   if (value.is_structured())
     for (const Json& item : value) most = std::max(most, largest(item));
   return most;
-}
-
-std::string not_a_number(const std::string& what, const Json& value) {
-  if (value.is_number_float() && !std::isfinite(value.get<double>())) return what + " is not a number";
-  if (value.is_structured())
-    for (const Json& item : value)
-      if (const std::string text = not_a_number(what, item); !text.empty()) return text;
-  return {};
 }
 
 }  // namespace
@@ -104,9 +95,7 @@ std::string fault_of_names(const PostprocessorRun& run) {
       for (std::size_t m = 0; m < k; ++m)
         if (frame[m].name == f.name && frame[m].on == f.on) return "two fields are called `" + f.name + "`";
     }
-  for (const ResultName& name : run.summary.names)
-    if (!name.unit.empty() && !detail::is_si(name.unit))
-      return "result `" + name.name + "`: the unit `" + name.unit + "` is not SI";
+  if (const std::string text = fault_of_units(run.summary); !text.empty()) return text;
   for (const auto& [name, table] : run.summary.tables) {
     if (const std::string text = wrong("table", name, "1"); !text.empty()) return text;
     for (const Column& c : table.columns)
@@ -129,8 +118,7 @@ std::string fault_of_values(const PostprocessorRun& run, const States& states) {
       for (const double v : f.values)
         if (!std::isfinite(v)) return "field `" + f.name + "` holds what is no number";
     }
-  for (const auto& [key, value] : run.summary.all)
-    if (const std::string text = not_a_number("result `" + key + "`", value); !text.empty()) return text;
+  if (const std::string text = fault_of_numbers(run.summary); !text.empty()) return text;
   for (const auto& [name, table] : run.summary.tables) {
     if (table.columns.size() != table.values.size())
       return fmt::format("table `{}` has {} columns and values of {}", name, table.columns.size(), table.values.size());

@@ -60,25 +60,14 @@ std::string fault_of_rows(const KeptCurves& rows) {
   return {};
 }
 
-std::string fault_of_summary(const KeptSummary& summary) {
-  for (const ResultName& name : summary.names)
-    if (!name.unit.empty() && !detail::is_si(name.unit))
-      return "result `" + name.name + "`: the unit `" + name.unit + "` is not SI";
-  for (const auto& [key, value] : summary.all) {
-    const Json flat = value.is_structured() ? value.flatten() : Json{{"", value}};
-    for (const Json& item : flat)
-      if (item.is_number_float() && !std::isfinite(item.get<double>())) return "result `" + key + "` is not a number";
-  }
-  return {};
-}
-
 class ProtocolCheck {
  public:
-  ProtocolCheck(const Registry& registry, PluginChoice choice)
+  ProtocolCheck(const Registry& registry, PluginChoice choice, const Host& user)
       : registry_(registry),
         choice_(std::move(choice)),
         laws_{{example_plugin(registry, ContactLaw::kind, law_of_trials,
-                              {"tensile_strength=15 MPa", "shear_strength=15 MPa"})}} {}
+                              {"tensile_strength=15 MPa", "shear_strength=15 MPa"})}},
+        trials_(user) {}
 
   CheckFindings operator()() {
     for (const MadeForm& form : made_forms()) {
@@ -147,7 +136,7 @@ class ProtocolCheck {
         "call `mark_start_of_loading` when the specimen is loaded, and end some time after: curves begin there");
     see("names, units and numbers of the curves", fault_of_rows(test->rows), "in order",
         "`sample` sets every column in every row; look for divisions by what is zero at the start");
-    see("results", fault_of_summary(test->summary), "in order", "give null for what was not reached, and SI units");
+    see("results", fault_of_results(test->summary), "in order", "give null for what was not reached, and SI units");
     see("share done", finite && least >= 0 && most <= 1 + 1e-9 ? "" : fmt::format("from {:.3g} to {:.3g}", least, most),
         fmt::format("to {:.2g}", most), "`share_done` is between 0 and 1, `load` a number");
     trials_.see(
@@ -189,7 +178,7 @@ class ProtocolCheck {
     auto rig = make(1);
     while (rig->steps() < at) rig->step();
     const Attempt end = attempt([&] { rig->step(true); });
-    const std::string fault = end ? fault_of_summary(rig->summary) : end.text;
+    const std::string fault = end ? fault_of_results(rig->summary) : end.text;
     see("stopped on request", fault, "it sums up what there is",
         "`finish` must do with a test that was stopped anywhere: no peak, few rows");
   }
@@ -207,12 +196,12 @@ class ProtocolCheck {
 }  // namespace
 
 CheckFindings check_protocol(const Registry& registry, const std::string& name,
-                             const std::vector<std::string>& parameters) {
+                             const std::vector<std::string>& parameters, const Host& user) {
   const std::vector<std::string> laws = registry.names(ContactLaw::kind);
   if (std::find(laws.begin(), laws.end(), law_of_trials) == laws.end())
     throw UserError(std::string("a protocol is tried with the contact law `") + law_of_trials +
                     "`, which is not installed");
-  return ProtocolCheck(registry, example_plugin(registry, Protocol::kind, name, parameters, quick))();
+  return ProtocolCheck(registry, example_plugin(registry, Protocol::kind, name, parameters, quick), user)();
 }
 
 }  // namespace breccia

@@ -2,13 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "breccia/renderer.hpp"
-#include "breccia/text_file.hpp"
 #include "check/attempt.hpp"
 #include "check/check.hpp"
 #include "check/example.hpp"
+#include "check/files.hpp"
 #include "output/temporary_folder.hpp"
 #include "run/runner.hpp"
 
@@ -17,22 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Quiet final : public RunMonitor {
- public:
-  void info(std::string_view) override {}
-  void warn(std::string_view) override {}
-  void progress(std::string_view, double) override {}
-  bool cancelled() const override { return false; }
-  int threads() const override { return 1; }
+class SilentMonitor final : public Silent<RunMonitor> {
   void status(const RunStatus&) override {}
 };
-
-std::map<std::string, std::string> files_in(const fs::path& folder) {
-  std::map<std::string, std::string> all;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file()) all[entry.path().lexically_relative(folder).string()] = read_bytes(entry.path());
-  return all;
-}
 
 /// A run of a few steps, with whatever of Breccia's plugins is installed.
 std::string small_run(const Registry& registry) {
@@ -59,15 +45,18 @@ std::string small_run(const Registry& registry) {
 
 class RendererCheck {
  public:
-  RendererCheck(const Registry& registry, PluginChoice choice)
-      : registry_(registry), choice_(std::move(choice)), folder_(fs::temp_directory_path(), "breccia-check") {}
+  RendererCheck(const Registry& registry, PluginChoice choice, const Host& user)
+      : registry_(registry),
+        choice_(std::move(choice)),
+        folder_(fs::temp_directory_path(), "breccia-check"),
+        trials_(user) {}
 
   CheckFindings operator()() {
     source_ = folder_.path() / "run";
     fs::create_directory(source_);
     const Attempt run = attempt([&] {
       const LoadedWorkflow loaded = load_resolved(small_run(registry_), source_ / "resolved.yaml", registry_);
-      Quiet monitor;
+      SilentMonitor monitor;
       run_workflow(loaded, registry_, {source_, {}}, monitor);
     });
     if (!run) {
@@ -85,11 +74,11 @@ class RendererCheck {
   static constexpr const char* draws = "draws a run";
   std::vector<fs::path> draw(const fs::path& source, const fs::path& into) const {
     fs::create_directory(into);
-    Quiet host;
+    SilentHost host;
     return registry_.create<Renderer>(choice_)->render({source, into}, host);
   }
 
-  void pictures(const std::map<std::string, std::string>& before) {
+  void pictures(const Files& before) {
     const fs::path into = folder_.path() / "pictures";
     std::vector<fs::path> made;
     std::string unavailable;
@@ -147,8 +136,8 @@ class RendererCheck {
 }  // namespace
 
 CheckFindings check_renderer(const Registry& registry, const std::string& name,
-                             const std::vector<std::string>& parameters) {
-  return RendererCheck(registry, example_plugin(registry, Renderer::kind, name, parameters))();
+                             const std::vector<std::string>& parameters, const Host& user) {
+  return RendererCheck(registry, example_plugin(registry, Renderer::kind, name, parameters), user)();
 }
 
 }  // namespace breccia

@@ -44,7 +44,7 @@ int check(const CheckArguments& a) {
   fmt::print("{}/{} {} ({})\n", kind, name, info.version, info.file.string());
   std::fflush(stdout);
   std::size_t failed = 0, unknown = 0;
-  for (const CheckFinding& f : check_plugin(registry, kind, name, a.overrides)) {
+  for (const CheckFinding& f : check_plugin(registry, kind, name, a.overrides, console)) {
     print(f);
     failed += f.outcome == CheckFinding::Outcome::fails;
     unknown += f.outcome == CheckFinding::Outcome::not_checked;

@@ -7,6 +7,7 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <ctime>
@@ -28,16 +29,28 @@ void write_words(std::initializer_list<std::string_view> words) {
   for (const std::string_view w : words) (void)!write(STDERR_FILENO, w.data(), w.size());
 }
 
-/// What the program's own thread is doing in a plugin, if it is; `lead` before it, `end` after it.
-void name_plugin_at_work(std::string_view lead, std::string_view end) {
-  if (const AtWork* at = AtWork::innermost())
+/// What the program's own thread is doing in a plugin, between the two; nothing when it is in none.
+bool name_plugin_at_work(std::string_view lead, std::string_view end) {
+  const AtWork* at = AtWork::innermost();
+  if (at)
     write_words({"\nbreccia: ", lead, at->plugin.kind, " `", at->plugin.type, "` is still ", at->doing, end, "\n"});
+  return at;
 }
+
+/// What a handler calls leaves no trace in what it interrupts.
+class KeptErrno {
+ public:
+  ~KeptErrno() { errno = kept_; }
+
+ private:
+  const int kept_ = errno;
+};
 
 /// The first signal asks the run to stop. One that comes at once after it is no second thought: `timeout` and batch
 /// systems signal the process and its group, a closing terminal sends SIGHUP and SIGTERM. Only a later one ends the
 /// program, for a run that is stuck in a plugin.
 extern "C" void on_signal(int signal) {
+  const KeptErrno keep;
   if (!pthread_equal(pthread_self(), own_thread)) {
     pthread_kill(own_thread, signal);
     return;
@@ -57,9 +70,12 @@ extern "C" void on_signal(int signal) {
 }
 
 extern "C" void on_alarm(int) {
-  if (pthread_equal(pthread_self(), own_thread))
-    name_plugin_at_work("asked to stop, but ", "; asked once more, the program ends at once");
-  else pthread_kill(own_thread, SIGALRM);
+  const KeptErrno keep;
+  constexpr std::string_view again = "; asked once more, the program ends at once";
+  if (!pthread_equal(pthread_self(), own_thread)) pthread_kill(own_thread, SIGALRM);
+  else if (!name_plugin_at_work("asked to stop, but ", again))
+    write_words({"\nbreccia: asked to stop, and not done yet: results are written, or another thread is in a plugin",
+                 again, "\n"});
 }
 
 /// To the terminal, if there still is one: a closed pipe (`| head`) does not end a run.

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "breccia/utf8.hpp"
+#include "cli/command_model.hpp"
 #include "cli/verbs.hpp"
 #include "plugin/registry.hpp"
 #include "run/scaffold.hpp"
@@ -19,9 +20,7 @@ namespace fs = std::filesystem;
 std::string word(const std::string& text) {
   const auto plain = [](unsigned char c) { return std::isalnum(c) || (c && std::strchr("_./+-=:,@%", c)); };
   if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
+  return quoted(text);
 }
 
 /// Where this program's package is, for CMake; empty where CMake looks by itself.

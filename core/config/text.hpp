@@ -5,12 +5,13 @@
 #include <string>
 #include <string_view>
 
+#include "breccia/si_unit.hpp"
+
 namespace breccia {
 
 /// As messages show what a user wrote or may write.
 inline std::string in_ticks(std::string_view text) { return "`" + std::string(text) + "`"; }
 
-/// Of the ten that numbers are written with, whatever the locale.
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+using detail::is_digit;  // of the ten that numbers are written with, whatever the locale
 
 }  // namespace breccia

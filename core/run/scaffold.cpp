@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/scaffold.hpp"
 
-#include <stdlib.h>
-
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstring>
 #include <map>
 #include <set>
@@ -13,6 +10,7 @@
 #include "breccia/atomic_file.hpp"
 #include "breccia/text_file.hpp"
 #include "config/text.hpp"
+#include "output/temporary_folder.hpp"
 #include "plugin/search_path.hpp"
 
 namespace breccia {
@@ -112,26 +110,11 @@ std::map<fs::path, std::string> texts_of(const NewProject& project, const fs::pa
 }
 
 /// A folder in which the project grows, gone at the end.
-class ProjectInTheMaking {
- public:
-  ProjectInTheMaking(const fs::path& within, const fs::path& project) {
-    std::string name = (within / ".breccia-new-XXXXXX").string();
-    if (!mkdtemp(name.data())) cannot_make(project, errno);
-    path_ = name;
-    // The folder that mkdtemp makes is for its owner alone; the project has the usual permissions.
-    fs::create_directory(whole());
-  }
-  ProjectInTheMaking(const ProjectInTheMaking&) = delete;
-  ProjectInTheMaking& operator=(const ProjectInTheMaking&) = delete;
-  ~ProjectInTheMaking() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  fs::path whole() const { return path_ / "project"; }
-
- private:
-  fs::path path_;
-};
+TemporaryFolder temporary(const fs::path& within, const fs::path& project) {
+  try {
+    return TemporaryFolder(within, ".breccia-new");
+  } catch (const CannotWrite& e) { cannot_make(project, e.reason()); }
+}
 
 /// Into a folder that is there already, and stays the one it is: someone may stand in it.
 void move_into(const fs::path& from, const fs::path& folder) {
@@ -199,15 +182,18 @@ std::vector<fs::path> make_project(const NewProject& project, const fs::path& te
   if (!folder.has_filename()) folder = folder.parent_path();
   const bool there = is_there(folder);
   std::vector<fs::path> files;
-  const ProjectInTheMaking workshop(there ? folder : folder.parent_path(), folder);
+  const TemporaryFolder own = temporary(there ? folder : folder.parent_path(), folder);
+  // A temporary folder is for its owner alone; the project has the usual permissions.
+  const fs::path whole = own.path() / "project";
+  fs::create_directory(whole);
   for (const auto& [name, text] : texts_of(project, templates)) {
-    fs::create_directories((workshop.whole() / name).parent_path());
-    write_file(workshop.whole() / name, text);
+    fs::create_directories((whole / name).parent_path());
+    write_file(whole / name, text);
     files.push_back(name);
   }
   std::error_code error;
-  if (there) move_into(workshop.whole(), folder);
-  else fs::rename(workshop.whole(), folder, error);
+  if (there) move_into(whole, folder);
+  else fs::rename(whole, folder, error);
   if (error) cannot_make(folder, error.value());
   return files;
 }

@@ -184,6 +184,27 @@ TEST_F(Cli, CtrlCStopsWithFilesComplete) {
   EXPECT_FALSE(fs::exists(folder_ / "out/curves.csv.partial"));
 }
 
+TEST_F(Cli, CtrlCStopsACheckWhichLeavesNothing) {
+  const fs::path temporary = folder_ / "temporary";
+  fs::create_directory(temporary);
+  const pid_t child = fork();
+  if (child == 0) {
+    setenv("TMPDIR", temporary.c_str(), 1);
+    if (!std::freopen((folder_ / "said").c_str(), "w", stdout) || dup2(fileno(stdout), STDERR_FILENO) < 0) _exit(99);
+    execl(program.c_str(), program.c_str(), "check", "packing/labra_onate", nullptr);
+    _exit(98);
+  }
+  for (int k = 0; k < 6000 && fs::is_empty(temporary); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  kill(child, SIGINT);
+  int status = 0;
+  waitpid(child, &status, 0);
+  const std::string said = content(folder_ / "said");
+  ASSERT_TRUE(WIFEXITED(status)) << said;
+  EXPECT_EQ(WEXITSTATUS(status), 130) << said;
+  EXPECT_NE(said.find("breccia: stopped on request"), std::string::npos) << said;
+  EXPECT_TRUE(fs::is_empty(temporary));
+}
+
 TEST_F(Cli, FullDiskIsToldAndNothingLooksWhole) {
   write_small();
   // A file size limit stands for the full disk: writes fail half-way in the same manner.

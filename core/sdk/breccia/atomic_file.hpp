@@ -22,7 +22,11 @@ namespace breccia {
 class BRECCIA_API CannotWrite : public UserError {
  public:
   CannotWrite(const std::filesystem::path& file, int reason)
-      : UserError("cannot write " + file.string() + ": " + std::strerror(reason)) {}
+      : UserError("cannot write " + file.string() + ": " + std::strerror(reason)), reason_(reason) {}
+  int reason() const { return reason_; }  ///< the system's, `errno`
+
+ private:
+  int reason_;
 };
 
 /// Writes to `<name>.partial` beside the final name; `commit` writes out, closes, checks and renames. Without a commit

@@ -26,8 +26,10 @@ class Host {
   ~Host() = default;
 };
 
-/// A host that nobody listens to: for trials and tests, which overload what they want to know.
-class SilentHost : public Host {
+/// A host, or a class made of Host, that nobody listens to: for trials and tests, which overload what they want to
+/// know.
+template <class Kind>
+class Silent : public Kind {
  public:
   void info(std::string_view) override {}
   void warn(std::string_view) override {}
@@ -35,6 +37,7 @@ class SilentHost : public Host {
   bool cancelled() const override { return false; }
   int threads() const override { return 1; }
 };
+using SilentHost = Silent<Host>;
 
 struct Column {
   std::string name;  ///< unique, lower case with underscores, without the unit
