@@ -3,10 +3,10 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <sys/mman.h>
 
 #include <algorithm>
 #include <boost/dll/runtime_symbol_info.hpp>
-#include <cstdlib>
 #include <new>
 
 namespace breccia {
@@ -35,19 +35,20 @@ F* function(const char* name) {
   return reinterpret_cast<F*>(found);
 }
 
-/// HDF5 does not survive that memory ends while it is at work. It holds a file twice while that grows, in steps of 4
-/// MB, and gives it out once more; the rest is for the library itself.
+/// HDF5 does not survive that memory ends while it is at work. It holds a file twice while that grows, in steps of up
+/// to 4 MB, and gives it out once more; the rest is for the library itself.
 void refuse_without_memory(std::size_t bytes) {
-  void* volatile all = std::malloc(4 * bytes + (std::size_t(24) << 20));
-  if (!all) throw std::bad_alloc();
-  std::free(all);
+  const std::size_t size = 4 * bytes + (std::size_t(24) << 20);
+  void* const all = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (all == MAP_FAILED) throw std::bad_alloc();
+  munmap(all, size);
 }
 
 }  // namespace
 
 std::unique_ptr<CheckpointWriter> begin_checkpoint(std::size_t bytes) {
   refuse_without_memory(bytes);
-  return std::unique_ptr<CheckpointWriter>(function<CheckpointWriter*()>("breccia_begin_checkpoint")());
+  return std::unique_ptr<CheckpointWriter>(function<CheckpointWriter*(std::size_t)>("breccia_begin_checkpoint")(bytes));
 }
 
 std::unique_ptr<CheckpointReader> read_checkpoint(const fs::path& file) {

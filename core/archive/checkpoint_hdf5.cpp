@@ -93,7 +93,7 @@ void reach_the_disk(const fs::path& place, int flags) {
 
 class Writer final : public CheckpointWriter {
  public:
-  Writer();
+  explicit Writer(std::size_t bytes);  ///< that the file is expected to have
   ~Writer() override;
   void commit(const fs::path& file) override;
 
@@ -132,11 +132,11 @@ class Reader final : public CheckpointReader {
   hid_t file_ = -1;
 };
 
-Writer::Writer() {
+Writer::Writer(std::size_t bytes) {
   if (has_failed) throw UserError("no checkpoint can be made: HDF5 has failed at one before");
   be_silent();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  constexpr std::size_t grow = std::size_t(1) << 22;
+  const std::size_t grow = std::clamp(bytes / 8, std::size_t(1) << 16, std::size_t(1) << 22);
   // In the oldest format, the library's default: later ones have a checksum over a byte that H5Fget_file_image changes.
   if (H5Pset_fapl_core(access, grow, false) < 0 ||
       (file_ = H5Fcreate(name_in_memory().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)) < 0)
@@ -299,8 +299,8 @@ void Reader::read(const std::string& path, Element element, void* data, std::siz
 }  // namespace breccia
 
 extern "C" {
-__attribute__((visibility("default"))) breccia::CheckpointWriter* breccia_begin_checkpoint() {
-  return new breccia::Writer();
+__attribute__((visibility("default"))) breccia::CheckpointWriter* breccia_begin_checkpoint(std::size_t bytes) {
+  return new breccia::Writer(bytes);
 }
 __attribute__((visibility("default"))) breccia::CheckpointReader* breccia_read_checkpoint(const char* file) {
   return new breccia::Reader(file);
