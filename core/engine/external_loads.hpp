@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// What acts on particles besides other particles: the protocol's forces and those of walls, in one sum.
+/// What acts on particles besides other particles: the protocol's forces and torques and those of walls, in one sum.
 #pragma once
 
 #include <vector>
@@ -15,13 +15,14 @@ class ExternalLoads {
  public:
   static constexpr std::size_t group = 32;
 
-  /// The applied forces alone, and room for those of the walls that are near.
+  /// What is applied alone, and room for those of the walls that are near.
   void reset(const State& s) {
     force_ = s.particles.applied_force;
-    torque_.assign(force_.size(), Vec3::Zero());
+    torque_ = s.particles.applied_torque;
+    torque_.resize(force_.size(), Vec3::Zero());
     any_.assign((force_.size() + group - 1) / group, 0);
     for (std::size_t a = 0; a < force_.size(); ++a)
-      if (!force_[a].isZero(0)) any_[a / group] = 1;
+      if (!force_[a].isZero(0) || !torque_[a].isZero(0)) any_[a / group] = 1;
     for (const WallTouch& t : s.wall_touches) any_[t.particle / group] = 1;
   }
   /// The protocol's force on a particle was changed by so much [N].
@@ -29,10 +30,15 @@ class ExternalLoads {
     force_[particle] += force;
     any_[particle / group] = 1;
   }
+  /// The same of its torque [N m].
+  void turn(Index particle, const Vec3& torque) {
+    torque_[particle] += torque;
+    any_[particle / group] = 1;
+  }
   /// Before the walls' forces of a step, for each particle that is near one.
   void restart(Index particle, const Particles& p) {
     force_[particle] = p.applied_force[particle];
-    torque_[particle].setZero();
+    torque_[particle] = p.applied_torque.empty() ? Vec3(Vec3::Zero()) : p.applied_torque[particle];
   }
   /// Of a wall that is near, since `reset`.
   void add(Index particle, const Vec3& force, const Vec3& torque) {

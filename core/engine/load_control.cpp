@@ -159,11 +159,17 @@ void Simulation::release(Index a, std::uint8_t mask) {
   state_.particles.held[a] = held;
 }
 
-void Simulation::set_applied_force(Index a, const Vec3& force, const Mat3& moment) {
-  loads_.change(a, force - state_.particles.applied_force[a]);
-  state_.particles.applied_force[a] = force;
-  state_.particles.applied_moment.resize(state_.particles.size(), Mat3::Zero());
-  state_.particles.applied_moment[a] = moment;
+void Simulation::set_applied_force(Index a, const Vec3& force, const Vec3& torque, const Mat3& moment) {
+  Particles& p = state_.particles;
+  if (!torque.isZero(0) || !p.applied_torque.empty()) {
+    p.applied_torque.resize(p.size(), Vec3::Zero());
+    loads_.turn(a, torque - p.applied_torque[a]);
+    p.applied_torque[a] = torque;
+  }
+  loads_.change(a, force - p.applied_force[a]);
+  p.applied_force[a] = force;
+  p.applied_moment.resize(p.size(), Mat3::Zero());
+  p.applied_moment[a] = moment;
   any_applied_ = true;
 }
 

@@ -113,10 +113,12 @@ BRECCIA_VECTOR_CLONES void advance_positions(ParticleMotion* m, std::size_t n, d
   for (std::size_t k = 0; k < n; ++k) four(m[k].position) += step * four(m[k].velocity);
 }
 
-/// What applied forces do in half a step at the present velocities [J].
+/// What applied forces and torques do in half a step at the present velocities [J].
 double half_applied_work(const Particles& p, std::size_t first, std::size_t end, double dt) {
   double sum = 0;
   for (std::size_t a = first; a < end; ++a) sum += p.applied_force[a].dot(p.velocity()[a]);
+  if (!p.applied_torque.empty())
+    for (std::size_t a = first; a < end; ++a) sum += p.applied_torque[a].dot(p.angular_velocity()[a]);
   return 0.5 * dt * sum;
 }
 

@@ -79,7 +79,7 @@ class Simulation final : public LoadControl {
   void hold(Index particle, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity,
             const Vec3& arm = Vec3::Zero()) override;
   void release(Index particle, std::uint8_t mask) override;
-  void set_applied_force(Index particle, const Vec3& force, const Mat3& moment) override;
+  void set_applied_force(Index particle, const Vec3& force, const Vec3& torque, const Mat3& moment) override;
   SpecimenShape set_specimen_axis(const Vec3& axis) override;
   void mark_start_of_loading() override;
   void set_cell_velocity(const Mat3& velocity) override;

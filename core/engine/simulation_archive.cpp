@@ -24,6 +24,7 @@ void archive_particles(Archive& archive, Particles& p) {
   archive_by_id(archive, "torque", p.torque(), id);
   archive_by_id(archive, "reference_position", p.reference_position, id);
   archive_by_id(archive, "applied_force", p.applied_force, id);
+  archive_by_id(archive, "applied_torque", p.applied_torque, id);
   archive_by_id(archive, "applied_moment", p.applied_moment, id);
   archive_by_id(archive, "holding_arm", p.holding_arm, id);
   archive_by_id(archive, "held", p.held, id);
@@ -149,6 +150,7 @@ void Simulation::take_specimen(Archive& from) {
   p.held = held;
   p.holding_arm.clear();
   p.applied_force.assign(p.size(), Vec3::Zero());
+  p.applied_torque.clear();
   p.applied_moment.clear();
   s.walls.clear();
   s.wall_touches.clear();

@@ -38,9 +38,10 @@ class LoadControl {
   virtual void hold(Index particle, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity,
                     const Vec3& arm = Vec3::Zero()) = 0;
   virtual void release(Index particle, std::uint8_t mask) = 0;
-  /// A force without torque; stays until set again [N]. `moment` says where it acts, for the mean stress: the sum over
-  /// its parts of (point - centre) (x) force [N m].
-  virtual void set_applied_force(Index particle, const Vec3& force, const Mat3& moment) = 0;
+  /// A force [N] and a torque about the centre [N m] on a particle; both stay until set again. `moment` says where the
+  /// force acts, for the mean stress: the sum over its parts of (point - centre) (x) force [N m]. No torque is made of
+  /// it. In two dimensions force and torque are those of the whole thickness, the torque about z.
+  virtual void set_applied_force(Index particle, const Vec3& force, const Vec3& torque, const Mat3& moment) = 0;
   /// The specimen is loaded along this coordinate direction; by default along the axis of its packing. Only in `setup`.
   /// Returns what it measures along that axis.
   virtual SpecimenShape set_specimen_axis(const Vec3& axis) = 0;

@@ -59,7 +59,7 @@ class LateralPressure {
         sum.force += forces_[k].force;
         sum.moment += forces_[k].moment;
       }
-      control.set_applied_force(sum.particle, sum.force, sum.moment);
+      control.set_applied_force(sum.particle, sum.force, Vec3::Zero(), sum.moment);
       if (!sum.force.isZero(0)) forces_[distinct++] = sum;
     }
     forces_.resize(distinct);
