@@ -94,7 +94,6 @@ State assemble(const PackedParticles& packing, const Materials& materials, int d
     p.id.push_back(k);
   }
   p.load.resize(n);
-  p.applied_force.assign(n, Vec3::Zero());
   p.reference_position.assign(p.position().begin(), p.position().end());
   p.held.assign(n, dimension == 2 ? dof::out_of_plane : std::uint8_t(0));
   s.cell = s.reference_cell = Cell::box(packing.period);

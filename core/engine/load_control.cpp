@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a protocol may change and ask of a simulation.
 #include <numeric>
+#include <utility>
 
 #include "breccia/protocol_tools/equilibrium.hpp"
 #include "engine/cell_motion.hpp"
@@ -161,13 +162,13 @@ void Simulation::release(Index a, std::uint8_t mask) {
 
 void Simulation::set_applied_force(Index a, const Vec3& force, const Vec3& torque, const Mat3& moment) {
   Particles& p = state_.particles;
-  if (!torque.isZero(0) || !p.applied_torque.empty()) {
-    p.applied_torque.resize(p.size(), Vec3::Zero());
-    loads_.turn(a, torque - p.applied_torque[a]);
-    p.applied_torque[a] = torque;
-  }
-  loads_.change(a, force - p.applied_force[a]);
-  p.applied_force[a] = force;
+  const auto set = [&](std::vector<Vec3>& of, const Vec3& value) -> Vec3 {
+    if (of.empty() && value.isZero(0)) return Vec3::Zero();
+    of.resize(p.size(), Vec3::Zero());
+    return value - std::exchange(of[a], value);
+  };
+  const Vec3 more = set(p.applied_force, force);
+  loads_.change(a, more, set(p.applied_torque, torque));
   p.applied_moment.resize(p.size(), Mat3::Zero());
   p.applied_moment[a] = moment;
   any_applied_ = true;
