@@ -70,13 +70,14 @@ def validate(runner, seeds):
         figures.cracks(report, number, f"{title} in tension", runs[name + "_tension"], name + "_tension", (4e-5,), size)
     if not small:
         studies = trends(report, figures, runner, reading.READINGS)
-        all_published(report, cases, found, studies)
+        tally = all_published(report, cases, found, studies)
     new_results(report, figures, runner, runs, found)
     if not small:
         study.tables(report, found, plain)
         reading.table_packings(report, ROCKS, {r: in_order_of_table_3(t[1]) for r, t in TABLE_5.items()}, cases, found, NAMES)
-        study.network(report, {"specimen A": runs["baseline_a_tension"]} | {ROCKS[r]: runs[r + "_tension"] for r in ROCKS})
-        report.text((runner.root / "tools/validation/ouyang2017_discussion.md").read_text())
+        materials = {"specimen A": "baseline_a_tension"} | {title: f"{r}_tension" for r, title in ROCKS.items()}
+        study.network(report, {m: runs[n] for m, n in materials.items()}, {m: found.get(reading.INFERRED.case(n, cases)) for m, n in materials.items()})
+        report.text(tally.fill((runner.root / "tools/validation/ouyang2017_discussion.md").read_text()))
     report.finish(target / "ouyang2017.md", head, runner.missing)
 
 
@@ -177,7 +178,7 @@ def table5(report, runs):
 
 
 def all_published(report, cases, found, studies):
-    """Each value that the paper gives beside all readings."""
+    """Each value that the paper gives beside all readings; returns them."""
     def of(r, name):
         return found.get(r.case(name, cases))
     tally, readings = reading.Tally(), reading.READINGS
@@ -198,6 +199,7 @@ def all_published(report, cases, found, studies):
     for lines in zip(*(stated(studies[r]) for r in readings)):
         tally.add(*lines[0][:4], [line[4] for line in lines])
     tally.write(report)
+    return tally
 
 
 def made(report, runs):

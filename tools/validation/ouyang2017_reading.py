@@ -4,6 +4,7 @@ the two rocks in other packings.
 
 Printed: one k_n for all bonds, secants at half the peak stress. Inferred (the workflows' variant): k_n x/R_max of a bond, x the
 harmonic mean of its radii, secants at half the strain of the peak; its k_m goes with the bond's k_n, or with that of the table."""
+import re
 from dataclasses import dataclass
 
 from .runs import Case, mean, spread
@@ -75,10 +76,12 @@ class Tally:
 
     def __init__(self):
         self.rows, self.near, self.measured, self.off = [], [0, 0, 0], [0, 0, 0], []
+        self.values = {}               # of "source: quantity": paper, digits, one of each reading
 
     def add(self, source, quantity, paper, digits, values):
         """`values`: one of each reading, None where it is not measured."""
         cells = []
+        self.values[f"{source}: {quantity}"] = paper, digits, values
         for k, value in enumerate(values):
             if value is None or value != value:
                 cells += ["not measured", ""]
@@ -105,3 +108,15 @@ class Tally:
                      [[f"within {WITHIN:.0%}, of the measured"] + [f"{n} of {m}" for n, m in zip(self.near, self.measured)]])
         if self.off:
             report.text("What stays off by more than a tenth in the inferred reading, with the bond's k_n in k_m:", "\n".join(f"- {line}" for line in self.off))
+
+    def fill(self, text):
+        """Puts measured numbers into a text: `{{inferred | Table 3, means: Ec [GPa] | x}}` is over the paper's, with `%` the distance from
+        it, with `=` the number itself; the readings are printed, inferred, table."""
+        def number(match):
+            reading, of, form = (part.strip() for part in match[1].split("|"))
+            paper, digits, values = self.values[of]
+            value = values[("printed", "inferred", "table").index(reading)]
+            if value is None or value != value:
+                return "(not measured)"
+            return {"x": lambda: f"{value / paper:.2f}", "%": lambda: f"{100 * (value / paper - 1):+.0f} %", "=": lambda: f"{value:.{digits}f}"}[form]()
+        return re.sub(r"\{\{(.+?)\}\}", number, text, flags=re.DOTALL)
