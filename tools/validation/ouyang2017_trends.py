@@ -159,9 +159,9 @@ def checked(studies):
     return rows
 
 
-def trends(report, figures, runner, readings):
-    """Returns {reading: its studies}. What the first reading does not keep is a target missed."""
-    studies = {r: studies_of(runner, r) for r in readings}
+def trends(report, figures, studies):
+    """`studies`: {reading: its studies}. What the first reading does not keep is a target missed."""
+    readings = list(studies)
     report.text("## Trends (Figs 9 to 13)", "On specimen A, one packing. The paper shows its curves as pictures; checked is what its text says. The criterion is our "
                 "reading of the words. In the columns of what was measured the number before the colon is the series: km/(kn R) of Fig. 9, ks/kn of the others.")
     lines, kept_by = {}, {r: [0, 0] for r in readings}
@@ -185,7 +185,6 @@ def trends(report, figures, runner, readings):
             charts = s.charts if k == 0 else SHORT.get(name, []) if k == 1 else []
             figures.study(report, "_".join(filter(None, [name, r.study_label])), s.figures,
                           "specimen A: " + TEXTS[name] + (f", {r.title}" if k else "") + ("" if s.complete else ", of the points that are finished"), charts)
-    return studies
 
 
 def stated(studies):
