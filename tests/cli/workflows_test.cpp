@@ -104,6 +104,28 @@ TEST_F(SmallOuyang, RocksAndOtherTests) {
   EXPECT_GT(brazilian["brazilian"]["peak_tensile_stress_Pa"].get<double>(), 1e6);
 }
 
+/// The variant `inferred` has both parts in both tests, bonds that are softer than those of two of the largest discs,
+/// and suits the biaxial test.
+TEST_F(SmallOuyang, TheInferredReading) {
+  const std::string small = " --set 'packing.container.size=[12 mm, 12 mm]' --set outputs=[] --set renderers=[]";
+  for (const char* test : {"baseline_b_ucs", "baseline_b_tension"}) {
+    const Json printed = run(test);
+    const Result r = call("run '" + workflows + "ouyang2017/" + test + ".yaml' --variant inferred --output inferred_" +
+                          test + " --threads 1" + small);
+    ASSERT_EQ(r.code, 0) << r.text;
+    const Json inferred = Json::parse(content(folder_ / ("inferred_" + std::string(test)) / "summary.json"));
+    if (HasFailure()) return;
+    EXPECT_EQ(printed["elastic_constants"]["secant"]["of"], "stress");
+    EXPECT_EQ(inferred["elastic_constants"]["secant"]["of"], "strain");
+    EXPECT_EQ(inferred["elastic_constants"]["sense"], printed["elastic_constants"]["sense"]);
+    EXPECT_FALSE(inferred["nonlinear_tension"].contains("normal_stiffness_N")) << "no one k_n";
+    EXPECT_LT(inferred["youngs_modulus_Pa"].get<double>(), 0.8 * printed["youngs_modulus_Pa"].get<double>()) << test;
+    EXPECT_LT(inferred["peak_stress_Pa"].get<double>(), printed["peak_stress_Pa"].get<double>()) << test;
+  }
+  const Result r = call("validate '" + workflows + "ouyang2017/baseline_biaxial.yaml' --variant inferred");
+  EXPECT_EQ(r.code, 0) << r.text;
+}
+
 TEST_F(SmallOuyang, Spheres) {
   const Json c = run("baseline_3d_ucs"), t = run("baseline_3d_tension");
   if (HasFailure()) return;
