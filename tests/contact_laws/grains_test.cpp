@@ -132,13 +132,13 @@ TEST(RollingResistance, StopsASphereWhereItsEnergyIsSpent) {
                 thickness);
       for (const Index id : {0, 1}) s.lead(id, Vec3::Zero());
       s.lead(0, Vec3(0, -push / kn, 0));
+      s->set_applied_force(s.of(0), Vec3(0, -push, 0), Vec3::Zero(), Mat3::Zero());
       s.step();
       const auto& all = s->state().particles;
       const Index sphere = s.of(0);
       const double arm = r - 0.5 * push / kn, mass = all.mass()[sphere],
                    inertia = all.inertia()[sphere] + mass * arm * arm, moment = mu * r * push, limit = moment / spring,
                    spin = std::sqrt(2 * moment * 2 / inertia);  // about two radians
-      s->set_applied_force(sphere, Vec3(0, -push, 0), Vec3::Zero(), Mat3::Zero());
       s.throw_it(0, Vec3(arm * spin, 0, 0), Vec3(0, 0, -spin));
       s->mark_start_of_loading();
       // The shear spring between the two swings, too, and much faster. Its force changes nothing of the angular
