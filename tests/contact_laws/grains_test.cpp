@@ -63,6 +63,18 @@ TEST(Linear, ActsBesideABond) {
   }
 }
 
+/// What a test is led by where nothing is bonded: the contacts that `bonding` would have bonded.
+TEST(Linear, HasAStiffnessThatTestsScaleWith) {
+  Several s(simple_cubic(3, 3, 3, r), {{"linear", by_stiffness(3e6, 2e6, 0.3)}}, 1e-6);
+  EXPECT_EQ(s->state().bonds.size(), 0u);
+  const BondStiffness k = s->bond_stiffness();
+  EXPECT_NEAR(k.mean_normal, 3e6, 1e-3);
+  EXPECT_NEAR(k.modulus / (54 * 4 * r * r * 3e6 / (3 * std::pow(6 * r, 3))), 1, 1e-9);
+  EXPECT_EQ(
+      Several(simple_cubic(3, 3, 3, r), {{"linear", by_stiffness(3e6, 2e6, 0.3)}}, -1e-3)->bond_stiffness().modulus, 0)
+      << "nothing is near enough";
+}
+
 /// Two spheres on a spring and a dashpot that cannot pull part when the two cancel: e = exp(-2 theta cot theta), beta =
 /// cos(theta) (Schwager, Poeschel 2007, Granular Matter 9, 465-469). However the dashpot is told.
 TEST(Viscous, MakesTheRestitutionOfItsShare) {
