@@ -20,8 +20,9 @@ double Simulation::unbalanced_force_ratio() {
 }
 
 BondStiffness Simulation::bond_stiffness() {
-  const Bonds& b = state_.bonds;
+  const Bonds& b = laws_.makes_bonds() ? state_.bonds : contacts_;
   std::vector<BondState> bond_state = b.state;
+  if (!laws_.makes_bonds()) bond_state.assign(b.size(), BondState::unbonded);
   std::vector<double*> columns;
   PairBatch batch = whole_batch(state_, columns);
   batch.begin = 0;

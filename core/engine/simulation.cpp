@@ -32,7 +32,9 @@ Simulation::Simulation(State state, Interactions laws, const EngineSettings& set
 }
 
 BondingResult Simulation::bond(const BondingRule& rule, const std::optional<SpecimenToTell>& told) {
-  const BondingResult result = laws_.makes_bonds() ? make_bonds(state_, rule) : BondingResult{};
+  // Laws that make no bonds: what would be bonded are the contacts by whose stiffness a test is led.
+  const BondingResult chosen = choose_bonds(state_, rule, laws_.makes_bonds() ? state_.bonds : contacts_),
+                      result = laws_.makes_bonds() ? chosen : BondingResult{};
   Assembly a;
   a.dimension = state_.dimension;
   a.thickness = state_.thickness;

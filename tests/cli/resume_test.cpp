@@ -55,8 +55,10 @@ constexpr const char* strong = R"(contact_law: {type: elastic_brittle, bond_modu
 constexpr const char* additions = R"(contact_law:
   - {type: elastic_brittle, bond_modulus: 10 GPa, stiffness_ratio: 3.7, tensile_strength: 4 MPa, shear_strength: 4 MPa,
      friction: 0.5}
-  - {type: dashpot, normal_ratio: 0.1, stiffness_modulus: 10 GPa}
-  - {type: rolling_resistance, rolling_friction: 0.1, rolling_modulus: 10 GPa}
+  - {type: linear, contact_modulus: 2 GPa, stiffness_ratio: 2.5, friction: 0.3}
+  - {type: hertz_mindlin, youngs_modulus: 5 GPa, poisson_ratio: 0.2, friction: 0.3, restitution: 0.7}
+  - {type: viscous, normal_ratio: 0.1, stiffness_modulus: 10 GPa}
+  - {type: rolling_resistance, rolling_friction: 0.1, rolling_modulus: 10 GPa, rolling_damping: 0.1}
 )";
 constexpr const char* damage_law =
     R"(contact_law: {type: elasto_damage_plastic, area_factor: 1, youngs_modulus: 28 GPa, poisson_ratio: 0.2,
