@@ -89,7 +89,9 @@ std::vector<LawCase> cases() {
              rolling = {{"rolling_friction", 0.2}, {"twisting_friction", 0.1}, {"rolling_modulus", 10e9}},
              cement = {{"bond_modulus", 20e9},      {"stiffness_ratio", 2.5},         {"tensile_strength", 40e6},
                        {"cohesion", 60e6},          {"internal_friction_angle", 0.5}, {"radius_multiplier", 1.0},
-                       {"moment_contribution", 1.0}};
+                       {"moment_contribution", 1.0}},
+             beam = {{"bond_modulus", 20e9},     {"poisson_ratio", 0.2},          {"radius_multiplier", 1.0},
+                     {"tensile_strength", 40e6}, {"compressive_strength", 300e6}, {"shear_strength", 80e6}};
   return {{"elastic_brittle",
            {brittle, changed(brittle, {{"tensile_strength", 90e6}}),
             changed(brittle, {{"bond_modulus", 23e9}, {"model", "model_2"}, {"friction", 0.1}})},
@@ -111,7 +113,11 @@ std::vector<LawCase> cases() {
           {"linear_parallel_bond",
            {cement, changed(cement, {{"tensile_strength", 90e6}}),
             changed(cement, {{"bond_modulus", 33e9}, {"radius_multiplier", 0.7}, {"moment_contribution", 0.2}})},
-           {"tensile_strength", "cohesion"}}};
+           {"tensile_strength", "cohesion"}},
+          {"beam_bond",
+           {beam, changed(beam, {{"tensile_strength", 90e6}}),
+            changed(beam, {{"bond_modulus", 33e9}, {"radius_multiplier", 0.7}, {"poisson_ratio", 0.3}})},
+           {"tensile_strength", "compressive_strength", "shear_strength"}}};
 }
 
 std::unique_ptr<ContactLaw> prepared(const std::string& name, const Json& config,

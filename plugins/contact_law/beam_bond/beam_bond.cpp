@@ -164,11 +164,14 @@ struct BeamBond {
     return 0.5 * (b.normal * opened * opened + b.shear * shear2 + b.bending * bending2 + b.torsion * s.twist * s.twist);
   }
 
-  /// Where the sizes differ the shear force turns the particles, by its arm from the contact point.
+  /// Where the sizes differ, shear and rotation go together: k (u + e theta)^2 <= k (1 + s) u^2 + k (1 + 1/s) (e
+  /// theta)^2 for any s, by which they are taken apart.
   BRECCIA_KERNEL ContactStiffness stiffness(const Contact& c) const {
     const Beam b = beam(c);
-    const double hold = c.intact > 0.5 ? 1.0 : 0.0, off = 0.5 * (c.radius_j - c.radius_i);
-    return {hold * b.normal, hold * b.shear, hold * (b.bending + off * off * b.shear), hold * b.torsion};
+    const double hold = c.intact > 0.5 ? 1.0 : 0.0, off = 0.5 * std::abs(c.radius_j - c.radius_i),
+                 half = 0.5 * c.rest_length;
+    return {hold * b.normal, hold * b.shear * (1 + off / half), hold * (b.bending + off * (off + half) * b.shear),
+            hold * b.torsion};
   }
 
  private:
