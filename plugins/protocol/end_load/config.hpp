@@ -194,9 +194,8 @@ inline void describe(Schema<Config>& s) {
   describe_loading_axis(s);
   s.param("supports", &Config::supports)
       .items(0, 64)
-      .fallback(Json::array())
       .example("[{at: lower, holds: [all]}]")
-      .doc("what is held");
+      .doc("what is held; [] for a specimen that nothing holds");
   s.param("loads", &Config::loads).items(1, 64).example("[{at: upper, force: [10 N, 0 N, 0 N]}]").doc("what pushes");
   s.param("ramp_time", &Config::ramp_time)
       .unit("s")
