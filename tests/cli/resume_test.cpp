@@ -71,6 +71,12 @@ constexpr const char* moments =
   bending_ratio: 0.256, tensile_strain_limit: 0.02, tension_shape: 0.2, shear_strain_ratio: 3.5, shear_strain_cap_ratio: 10,
   internal_friction_angle: 45 deg, friction_angle: 39 deg, bond_width: 0.8}
 )";
+constexpr const char* cement = R"(contact_law: {type: linear_parallel_bond, bond_modulus: 20 GPa, stiffness_ratio: 2.5,
+  tensile_strength: {mean: 8 MPa, distribution: normal, standard_deviation: 2 MPa, min: 1 MPa}, cohesion: 12 MPa}
+)";
+constexpr const char* beams = R"(contact_law: {type: beam_bond, bond_modulus: 20 GPa, poisson_ratio: 0.2,
+  tensile_strength: 8 MPa, compressive_strength: 60 MPa, shear_strength: 20 MPa}
+)";
 constexpr const char* outside = R"(
 outputs: [{type: vtk, interval: 15 us}]
 checkpoints: {every_steps: 40, keep: 100, at_end: true}
@@ -127,6 +133,18 @@ std::vector<Case> cases() {
                              "protocol: {type: direct_tension, plate_velocity: 0.5 m/s, ramp_time: 5 us, grip: 2 mm, "
                              "max_strain: 0.2 %}\n" +
                              no_strain},
+      {"end_load",
+       std::string(spheres) + cement +
+           "protocol: {type: end_load, supports: [{at: lower, depth: 2 mm, holds: [all]}], loads: [{at: upper, "
+           "depth: 2 mm, force: [60 N, 0 N, 0 N], moment: [0 N m, 0 N m, 0.05 N m]}], ramp_time: 60 us, "
+           "duration: 20 us}\n" +
+           no_strain},
+      {"beams_that_swing",
+       std::string(spheres) + beams +
+           "protocol: {type: end_load, supports: [{at: lower, depth: 2 mm, holds: [all]}], loads: "
+           "[{at: upper, depth: 2 mm, force: [60 N, 0 N, 0 N]}], ramp_time: 20 us, release_after: 5 "
+           "us, duration: 40 us}\n" +
+           no_strain},
       {"periodic_cell",
        std::string("periodic: [x, y, z]\npacking: {type: regular, lattice: fcc, container: {shape: box, "
                    "size: [10 mm, 10 mm, 12 mm]}, radius: 1 mm}\nmaterial: {density: 2650 kg/m3}\n"

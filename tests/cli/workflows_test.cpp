@@ -132,5 +132,30 @@ TEST_F(SmallOuyang, Spheres) {
   EXPECT_GT(c["peak_stress_Pa"].get<double>(), 3 * t["peak_stress_Pa"].get<double>());
 }
 
+/// As the workflow's own comment has it.
+TEST_F(Program, TheBeamOfBeamBondsBendsSwingsAndBreaksAsItShould) {
+  const auto run = [&](const std::string& more) {
+    const Result r = call("run '" + workflows + "laws/beam_bond.yaml' --output beam --overwrite --threads 1 " + more +
+                          " --set outputs=[] --set renderers=[]");
+    EXPECT_EQ(r.code, 0) << r.text;
+    return r.code == 0 ? Json::parse(content(folder_ / "beam/summary.json"))["end_load"] : Json();
+  };
+  constexpr double pi = 3.14159265358979, r = 1e-3, L = 40e-3, E = 30e9, G = E / 2.4, I = pi / 4 * r * r * r * r,
+                   A = pi * r * r, F = 3;
+  const Json bent = run("");
+  if (HasFailure()) return;
+  EXPECT_EQ(bent["stopped_by"], "rest");
+  const double known = F * L * L * L / (48 * E * I) + F * L / (4 * 0.9 * G * A);
+  // The chain turns by a hundredth: that its ends do not come nearer by what it bends is of the square of this.
+  EXPECT_NEAR(bent["middle_load_displacement_x_m"].get<double>(), known, 2e-4 * known);
+  const Json broken = run("--variant failure");
+  if (HasFailure()) return;
+  EXPECT_EQ(broken["stopped_by"], "max_displacement");
+  // F L/4 = 60 MPa I/r; the load still grows while the beam follows.
+  EXPECT_NEAR(6 * broken["load_factor_at_first_break"].get<double>(), 4 * 60e6 * I / r / L, 0.02 * 4.7);
+  EXPECT_EQ(run("--variant vibration")["stopped_by"], "duration");
+  EXPECT_EQ(run("--variant small")["stopped_by"], "rest");
+}
+
 }  // namespace
 }  // namespace breccia::testing

@@ -99,7 +99,12 @@ std::vector<LawCase> cases() {
                {"poisson_ratio", 0.2},
                {"friction", 0.5},
                {"restitution", 0.8},
-               {"design_overlap", 0.01}};
+               {"design_overlap", 0.01}},
+      cement = {{"bond_modulus", 20e9},      {"stiffness_ratio", 2.5},         {"tensile_strength", 40e6},
+                {"cohesion", 60e6},          {"internal_friction_angle", 0.5}, {"radius_multiplier", 1.0},
+                {"moment_contribution", 1.0}},
+      beam = {{"bond_modulus", 20e9},     {"poisson_ratio", 0.2},          {"radius_multiplier", 1.0},
+              {"tensile_strength", 40e6}, {"compressive_strength", 300e6}, {"shear_strength", 80e6}};
   return {
       {"elastic_brittle",
        {brittle, changed(brittle, {{"tensile_strength", 90e6}}),
@@ -126,7 +131,15 @@ std::vector<LawCase> cases() {
        0.1},
       {"rolling_resistance",
        {rolling, changed(rolling, {{"rolling_friction", 0.3}}), changed(rolling, {{"rolling_modulus", 23e9}})},
-       {}}};
+       {}},
+      {"linear_parallel_bond",
+       {cement, changed(cement, {{"tensile_strength", 90e6}}),
+        changed(cement, {{"bond_modulus", 33e9}, {"radius_multiplier", 0.7}, {"moment_contribution", 0.2}})},
+       {"tensile_strength", "cohesion"}},
+      {"beam_bond",
+       {beam, changed(beam, {{"tensile_strength", 90e6}}),
+        changed(beam, {{"bond_modulus", 33e9}, {"radius_multiplier", 0.7}, {"poisson_ratio", 0.3}})},
+       {"tensile_strength", "compressive_strength", "shear_strength"}}};
 }
 
 std::unique_ptr<ContactLaw> prepared(const std::string& name, const Json& config,

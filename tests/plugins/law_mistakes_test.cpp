@@ -44,8 +44,7 @@ Output check(const std::string& law, const std::string& more = "") {
 }
 
 TEST(LawCheck, ShippedLawsHold) {
-  for (const char* law : {"elastic_brittle", "nonlinear_tension", "elasto_damage_plastic", "linear", "viscous",
-                          "hertz_mindlin", "rolling_resistance"}) {
+  for (const char* law : {BRECCIA_CONTACT_LAWS}) {
     const Output out = check(law);
     EXPECT_EQ(out.code, 0) << out.text;
     EXPECT_TRUE(has(out.text, "all holds")) << out.text;

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Bonds that are Timoshenko beams from centre to centre; they break by the stresses at their ends.
+/// Source: Brown, Chen, Ooi (2014), Granular Matter 16, 299-311; Przemieniecki (1968) for the beam. README.md has the
+/// equations, and why a spring in the middle of the beam is the whole beam.
+#include <numbers>
+
+#include "breccia/contact_law.hpp"
+
+namespace breccia {
+
+struct BeamBond {
+  struct Config {
+    double bond_modulus;
+    std::optional<double> poisson_ratio, shear_modulus, shear_coefficient;
+    double radius_multiplier, tensile_strength, compressive_strength, shear_strength;
+  };
+
+  static void describe(Schema<Config>& s) {
+    s.summary("Timoshenko beams from centre to centre that break by the stresses at their ends")
+        .source("Brown, Chen, Ooi (2014), Granular Matter 16, 299-311, 10.1007/s10035-014-0494-4")
+        .details(
+            "A round beam of radius r = lambda min(r_i, r_j), in two dimensions a rectangular one 2 r high and as "
+            "thick "
+            "as the specimen, joins the centres, which are L apart when it is made. Its end forces and moments are "
+            "those of a Timoshenko beam with E, G and the shear coefficient kappa, for any sizes of the two particles. "
+            "It breaks in tension or by compression when N/A + |M| r/I at an end exceeds the tensile strength, or the "
+            "compressive one with -N; in shear when 4/3 |V|/A + |T| r/J (two dimensions: 3/2 |V|/A) exceeds the shear "
+            "strength. A broken bond carries nothing: a law of contact may stand before this one in a list.");
+    s.exactly_one_of({"poisson_ratio", "shear_modulus"});
+    s.param("bond_modulus", &Config::bond_modulus).unit("Pa").above(0).example("30 GPa").doc("E of the beam");
+    s.param("poisson_ratio", &Config::poisson_ratio)
+        .above(-1)
+        .at_most(0.5)
+        .example("0.2")
+        .doc("nu of the beam: G = E/(2 (1 + nu))");
+    s.param("shear_modulus", &Config::shear_modulus).unit("Pa").above(0).example("12 GPa").doc("G itself");
+    s.param("shear_coefficient", &Config::shear_coefficient)
+        .above(0)
+        .at_most(1)
+        .example("0.9")
+        .doc(
+            "kappa, the share of the section that resists shear: if absent 0.9 for round beams, 5/6 for rectangular "
+            "ones in two dimensions");
+    s.param("radius_multiplier", &Config::radius_multiplier)
+        .above(0)
+        .fallback(1.0)
+        .doc("radius of the beam over the smaller of the two, lambda");
+    s.param("tensile_strength", &Config::tensile_strength)
+        .unit("Pa")
+        .above(0)
+        .example("30 MPa")
+        .doc("largest tensile stress in the beam, bending included");
+    s.param("compressive_strength", &Config::compressive_strength)
+        .unit("Pa")
+        .above(0)
+        .example("300 MPa")
+        .doc("largest compressive stress in the beam, bending included");
+    s.param("shear_strength", &Config::shear_strength)
+        .unit("Pa")
+        .above(0)
+        .example("60 MPa")
+        .doc("largest shear stress in the beam, torsion included");
+  }
+
+  struct State {
+    double shear_x, shear_y, shear_z, bending_x, bending_y, bending_z, twist;
+  };
+  static constexpr std::array columns{StateColumn<State>{&State::shear_x, "beam_shear_x", "m"},
+                                      StateColumn<State>{&State::shear_y, "beam_shear_y", "m"},
+                                      StateColumn<State>{&State::shear_z, "beam_shear_z", "m"},
+                                      StateColumn<State>{&State::bending_x, "beam_bending_x", "rad"},
+                                      StateColumn<State>{&State::bending_y, "beam_bending_y", "rad"},
+                                      StateColumn<State>{&State::bending_z, "beam_bending_z", "rad"},
+                                      StateColumn<State>{&State::twist, "beam_twist", "rad"}};
+  static constexpr bool has_moments = true, respects_protection = true;
+  static constexpr auto per_bond() {
+    return std::array{PerBond<BeamBond>{"tensile_strength", &BeamBond::tensile_strength},
+                      PerBond<BeamBond>{"compressive_strength", &BeamBond::compressive_strength},
+                      PerBond<BeamBond>{"shear_strength", &BeamBond::shear_strength}};
+  }
+
+  BeamBond(const Config& c, const Assembly& a)
+      : modulus(c.bond_modulus),
+        shear_modulus(c.shear_modulus ? *c.shear_modulus : 0.5 * c.bond_modulus / (1 + c.poisson_ratio.value_or(0))),
+        multiplier(c.radius_multiplier),
+        tensile_strength(c.tensile_strength),
+        compressive_strength(c.compressive_strength),
+        shear_strength(c.shear_strength),
+        disc(a.dimension == 2 ? 0 : std::numbers::pi),
+        breadth(a.dimension == 2 ? 2 * a.thickness : 0),
+        peak_of_shear(a.dimension == 2 ? 1.5 : 4.0 / 3.0) {
+    softness = 12 * modulus / (c.shear_coefficient.value_or(a.dimension == 2 ? 5.0 / 6.0 : 0.9) * shear_modulus);
+  }
+
+  BRECCIA_KERNEL State initial(const Contact&) const { return {0, 0, 0, 0, 0, 0, 0}; }
+
+  BRECCIA_KERNEL ContactForce operator()(const Contact& c, State& s) const {
+    const Beam b = beam(c);
+    const bool was = c.intact > 0.5, breakable = c.breakable > 0.5;
+    const double opened = c.distance - c.rest_length;
+    // The motion across at the middle of the beam, which is `off` from the contact point toward j.
+    const double off = 0.5 * (c.radius_j - c.radius_i);
+    const double mx = c.shear_x + off * (c.turn_y * c.nz - c.turn_z * c.ny),
+                 my = c.shear_y + off * (c.turn_z * c.nx - c.turn_x * c.nz),
+                 mz = c.shear_z + off * (c.turn_x * c.ny - c.turn_y * c.nx);
+    const PlaneVector slid = follow_plane(c, s.shear_x, s.shear_y, s.shear_z);
+    const double x = slid.x + mx, y = slid.y + my, z = slid.z + mz;
+    const PlaneVector bent = follow_plane(c, s.bending_x, s.bending_y, s.bending_z);
+    const double turned = c.turn_x * c.nx + c.turn_y * c.ny + c.turn_z * c.nz;
+    const double bx = bent.x + (c.turn_x - turned * c.nx), by = bent.y + (c.turn_y - turned * c.ny),
+                 bz = bent.z + (c.turn_z - turned * c.nz), twist = s.twist + turned;
+
+    // Stresses. Moments at the ends are those of the middle, and the shear force times half the length added or taken
+    // away; the larger of the two is sought.
+    const double vx = b.shear * x, vy = b.shear * y, vz = b.shear * z, across2 = vx * vx + vy * vy + vz * vz;
+    const double qx = b.bending * bx, qy = b.bending * by, qz = b.bending * bz, half = 0.5 * c.rest_length;
+    const double both = qx * (c.ny * vz - c.nz * vy) + qy * (c.nz * vx - c.nx * vz) + qz * (c.nx * vy - c.ny * vx);
+    const double most = std::sqrt(qx * qx + qy * qy + qz * qz + half * (half * across2 + 2 * std::abs(both)));
+    const double mean = b.normal * opened * b.inverse_area, rim = most * b.rim_over_inertia;
+    const double shear =
+        peak_of_shear * std::sqrt(across2) * b.inverse_area + b.torsion * std::abs(twist) * b.rim_over_polar;
+    const bool tension = breakable & (rim + mean > tensile_strength);
+    const bool crushed = breakable & !tension & (rim - mean > compressive_strength);
+    const bool sheared = breakable & !tension & !crushed & (shear > shear_strength);
+    const bool broke = tension | crushed | sheared;
+
+    const double hold = was & !broke ? 1.0 : 0.0;
+    s.shear_x = hold * x;
+    s.shear_y = hold * y;
+    s.shear_z = hold * z;
+    s.bending_x = hold * bx;
+    s.bending_y = hold * by;
+    s.bending_z = hold * bz;
+    s.twist = hold * twist;
+
+    ContactForce f;
+    f.normal = hold * b.normal * opened;
+    f.shear_x = hold * vx;
+    f.shear_y = hold * vy;
+    f.shear_z = hold * vz;
+    // The shear force acts in the middle of the beam and not at the contact point: a couple makes up for that.
+    const double twisting = b.torsion * s.twist;
+    f.moment_x = b.bending * s.bending_x + twisting * c.nx + off * (c.ny * f.shear_z - c.nz * f.shear_y);
+    f.moment_y = b.bending * s.bending_y + twisting * c.ny + off * (c.nz * f.shear_x - c.nx * f.shear_z);
+    f.moment_z = b.bending * s.bending_z + twisting * c.nz + off * (c.nx * f.shear_y - c.ny * f.shear_x);
+    f.breaks = tension   ? double(BondState::broken_tension)
+               : crushed ? double(BondState::broken_combined)
+               : sheared ? double(BondState::broken_shear)
+                         : 0.0;
+    // What the bond stored, less the work that its force and moment did not do in this step any more, as leapfrog has
+    // it: half of them times the way. A spring loses half its force times where it was before the step.
+    const double lost = b.normal * opened * (opened - c.normal_velocity * c.time_step) +
+                        b.shear * (slid.x * x + slid.y * y + slid.z * z) +
+                        b.bending * (bent.x * bx + bent.y * by + bent.z * bz) + b.torsion * (twist - turned) * twist;
+    f.fracture_energy = broke ? 0.5 * lost : 0.0;
+    return f;
+  }
+
+  BRECCIA_KERNEL double energy(const Contact& c, const State& s) const {
+    const Beam b = beam(c);
+    const double opened = c.intact > 0.5 ? c.distance - c.rest_length : 0.0;
+    const double shear2 = s.shear_x * s.shear_x + s.shear_y * s.shear_y + s.shear_z * s.shear_z;
+    const double bending2 = s.bending_x * s.bending_x + s.bending_y * s.bending_y + s.bending_z * s.bending_z;
+    return 0.5 * (b.normal * opened * opened + b.shear * shear2 + b.bending * bending2 + b.torsion * s.twist * s.twist);
+  }
+
+  /// Where the sizes differ, shear and rotation go together: k (u + e theta)^2 <= k (1 + s) u^2 + k (1 + 1/s) (e
+  /// theta)^2 for any s, by which they are taken apart.
+  BRECCIA_KERNEL ContactStiffness stiffness(const Contact& c) const {
+    const Beam b = beam(c);
+    const double hold = c.intact > 0.5 ? 1.0 : 0.0, off = 0.5 * std::abs(c.radius_j - c.radius_i),
+                 half = 0.5 * c.rest_length;
+    return {hold * b.normal, hold * b.shear * (1 + off / half), hold * (b.bending + off * (off + half) * b.shear),
+            hold * b.torsion};
+  }
+
+ private:
+  struct Beam {
+    double normal, shear, bending, torsion;  ///< E A/L [N/m], of the middle [N/m], E I/L, G J/L [N m/rad]
+    double inverse_area, rim_over_inertia, rim_over_polar;  // [1/m2], [1/m3], [1/m3]
+  };
+  BRECCIA_KERNEL Beam beam(const Contact& c) const {
+    const double radius = multiplier * (c.radius_i < c.radius_j ? c.radius_i : c.radius_j), square = radius * radius;
+    const double area = radius * (disc * radius + breadth),
+                 inertia = square * radius * (0.25 * disc * radius + breadth * (1.0 / 3)),
+                 polar = 0.5 * disc * square * square, inverse_length = 1 / c.rest_length, inverse_area = 1 / area;
+    Beam b;
+    b.normal = modulus * area * inverse_length;
+    b.bending = modulus * inertia * inverse_length;
+    b.torsion = shear_modulus * polar * inverse_length;
+    // 12 E I/(L^3 (1 + Phi)) with Phi = 12 E I/(kappa G A L^2).
+    const double slender = inverse_length * inverse_length;
+    b.shear = 12 * b.bending * slender / (1 + softness * inertia * inverse_area * slender);
+    b.inverse_area = inverse_area;
+    b.rim_over_inertia = radius / inertia;
+    b.rim_over_polar = disc > 0 ? radius / (disc > 0 ? polar : 1.0) : 0.0;
+    return b;
+  }
+
+  double modulus, shear_modulus, multiplier;                      // E, G [Pa]; lambda
+  double tensile_strength, compressive_strength, shear_strength;  // [Pa]
+  double disc, breadth;                                           // pi, or 0 in a plane; 2 t there [m], else 0
+  double peak_of_shear;                                           // largest over mean stress of a shear force
+  double softness;                                                // 12 E/(kappa G)
+};
+
+}  // namespace breccia
+
+BRECCIA_CONTACT_LAW(breccia::BeamBond, "beam_bond")
