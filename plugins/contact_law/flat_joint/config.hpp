@@ -9,7 +9,7 @@
 namespace breccia::flat_joint {
 
 /// Into how many elements an interface is divided. It decides how much history a pair has, hence the type of the law.
-enum class Elements { line_2, line_4, line_8, line_16, disc_1x3, disc_1x4, disc_2x4, disc_3x8 };
+enum class Elements { line_2, line_4, line_8, line_16, disc_1x3, disc_1x4, disc_2x4 };
 
 struct Config {
   Elements elements;
@@ -46,7 +46,6 @@ inline void describe(Schema<Config>& s) {
       .choice("disc_1x3", Elements::disc_1x3, "spheres: 3 sectors")
       .choice("disc_1x4", Elements::disc_1x4, "spheres: 4 sectors")
       .choice("disc_2x4", Elements::disc_2x4, "spheres: 2 rings of 4")
-      .choice("disc_3x8", Elements::disc_3x8, "spheres: 3 rings of 8")
       .doc("of equal area into which an interface is divided; in two dimensions one of the lines")
       .source("fj_nr, fj_nal")
       .fallback("disc_1x4");

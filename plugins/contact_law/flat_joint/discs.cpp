@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Faces of spheres, in few elements.
+/// Faces of spheres.
 #include "instances.hpp"
 
 namespace breccia::flat_joint {

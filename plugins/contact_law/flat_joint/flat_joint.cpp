@@ -22,8 +22,6 @@ std::unique_ptr<ContactLaw> make(const Config& c) {
       return make_law<Disc<1, 4>>(c);
     case Elements::disc_2x4:
       return make_law<Disc<2, 4>>(c);
-    case Elements::disc_3x8:
-      return make_law<Disc<3, 8>>(c);
   }
   return nullptr;
 }

@@ -16,6 +16,5 @@ extern template std::unique_ptr<ContactLaw> make_law<Line<16>>(const Config&);
 extern template std::unique_ptr<ContactLaw> make_law<Disc<1, 3>>(const Config&);
 extern template std::unique_ptr<ContactLaw> make_law<Disc<1, 4>>(const Config&);
 extern template std::unique_ptr<ContactLaw> make_law<Disc<2, 4>>(const Config&);
-extern template std::unique_ptr<ContactLaw> make_law<Disc<3, 8>>(const Config&);
 
 }  // namespace breccia::flat_joint

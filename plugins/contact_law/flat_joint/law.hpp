@@ -56,7 +56,7 @@ struct Law {
     throw UserError(space ? "contact_law flat_joint: `elements: disc_...` is how faces of spheres are divided; in two "
                             "dimensions write `line_4`, or line_2, line_8, line_16"
                           : "contact_law flat_joint: `elements: line_...` is how faces of discs are divided, in two "
-                            "dimensions; between spheres write `disc_1x4`, or disc_1x3, disc_2x4, disc_3x8");
+                            "dimensions; between spheres write `disc_1x4`, or disc_1x3, disc_2x4");
   }
 
   BRECCIA_KERNEL State initial(const Contact& c) const {
