@@ -48,7 +48,7 @@ TEST(FlatJoint, UnbondedAndPressedOffItsMiddleItOpensAsStaticsSays) {
   // of contact errs, and each its own moment: both with 1/n^2.
   const double b = 2e-4;
   double worst[3] = {};
-  const int counts[] = {4, 8, 16};
+  const int counts[] = {2, 4, 8};
   for (int which = 0; which < 3; ++which) {
     const int n = counts[which];
     for (double a = 0.8 * radius; a < 1.9 * radius; a += 0.05 * radius) {
@@ -69,7 +69,7 @@ TEST(FlatJoint, UnbondedAndPressedOffItsMiddleItOpensAsStaticsSays) {
   }
   EXPECT_LT(worst[1], worst[0] / 3);
   EXPECT_LT(worst[2], worst[1] / 3);
-  EXPECT_LT(worst[2], 0.02);
+  EXPECT_LT(worst[2], 0.05);
   // In full contact, up to e = R/3 (1 - 1/n^2) over 1 - 1/n, the moment is k_n A R^2/3 (1 - 1/n^2) b.
   HeldPair pair(joint("line_8", slit), setup(2));
   const double pressed = b * radius;
@@ -167,7 +167,7 @@ TEST(FlatJoint, BendingAndTwistAreThoseOfItsElements) {
 
 TEST(FlatJoint, EnergyClosesToSecondOrderThroughPartialFailure) {
   for (const auto& [dimension, elements] :
-       {std::pair(2, "line_2"), {2, "line_16"}, {3, "disc_1x3"}, {3, "disc_1x4"}, {3, "disc_2x4"}}) {
+       {std::pair(2, "line_2"), {2, "line_8"}, {3, "disc_1x3"}, {3, "disc_1x4"}, {3, "disc_2x4"}}) {
     const auto error = [&, d = dimension, e = elements](int steps) {
       HeldPair pair(joint(e), setup(d));
       PairMotion to{-2e-6, 8e-6, 0, 0, 0, 0.02};

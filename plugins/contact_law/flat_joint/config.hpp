@@ -9,7 +9,7 @@
 namespace breccia::flat_joint {
 
 /// Into how many elements an interface is divided. It decides how much history a pair has, hence the type of the law.
-enum class Elements { line_2, line_4, line_8, line_16, disc_1x3, disc_1x4, disc_2x4 };
+enum class Elements { line_2, line_4, line_8, disc_1x3, disc_1x4, disc_2x4 };
 
 struct Config {
   Elements elements;
@@ -42,7 +42,6 @@ inline void describe(Schema<Config>& s) {
       .choice("line_2", Elements::line_2, "discs: 2 along the line")
       .choice("line_4", Elements::line_4, "discs: 4")
       .choice("line_8", Elements::line_8, "discs: 8")
-      .choice("line_16", Elements::line_16, "discs: 16")
       .choice("disc_1x3", Elements::disc_1x3, "spheres: 3 sectors")
       .choice("disc_1x4", Elements::disc_1x4, "spheres: 4 sectors")
       .choice("disc_2x4", Elements::disc_2x4, "spheres: 2 rings of 4")

@@ -14,8 +14,6 @@ std::unique_ptr<ContactLaw> make(const Config& c) {
       return make_law<Line<4>>(c);
     case Elements::line_8:
       return make_law<Line<8>>(c);
-    case Elements::line_16:
-      return make_law<Line<16>>(c);
     case Elements::disc_1x3:
       return make_law<Disc<1, 3>>(c);
     case Elements::disc_1x4:

@@ -12,7 +12,6 @@ std::unique_ptr<ContactLaw> make_law(const Config&);
 extern template std::unique_ptr<ContactLaw> make_law<Line<2>>(const Config&);
 extern template std::unique_ptr<ContactLaw> make_law<Line<4>>(const Config&);
 extern template std::unique_ptr<ContactLaw> make_law<Line<8>>(const Config&);
-extern template std::unique_ptr<ContactLaw> make_law<Line<16>>(const Config&);
 extern template std::unique_ptr<ContactLaw> make_law<Disc<1, 3>>(const Config&);
 extern template std::unique_ptr<ContactLaw> make_law<Disc<1, 4>>(const Config&);
 extern template std::unique_ptr<ContactLaw> make_law<Disc<2, 4>>(const Config&);

@@ -54,7 +54,7 @@ struct Law {
         breadth(2 * a.thickness) {
     if (a.dimension == Layout::dimension) return;
     throw UserError(space ? "contact_law flat_joint: `elements: disc_...` is how faces of spheres are divided; in two "
-                            "dimensions write `line_4`, or line_2, line_8, line_16"
+                            "dimensions write `line_4`, or line_2, line_8"
                           : "contact_law flat_joint: `elements: line_...` is how faces of discs are divided, in two "
                             "dimensions; between spheres write `disc_1x4`, or disc_1x3, disc_2x4");
   }

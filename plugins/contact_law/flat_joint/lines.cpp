@@ -7,6 +7,5 @@ namespace breccia::flat_joint {
 template std::unique_ptr<ContactLaw> make_law<Line<2>>(const Config&);
 template std::unique_ptr<ContactLaw> make_law<Line<4>>(const Config&);
 template std::unique_ptr<ContactLaw> make_law<Line<8>>(const Config&);
-template std::unique_ptr<ContactLaw> make_law<Line<16>>(const Config&);
 
 }  // namespace breccia::flat_joint
