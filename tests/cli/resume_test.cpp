@@ -69,6 +69,10 @@ constexpr const char* moments =
   bending_ratio: 0.256, tensile_strain_limit: 0.02, tension_shape: 0.2, shear_strain_ratio: 3.5, shear_strain_cap_ratio: 10,
   internal_friction_angle: 45 deg, friction_angle: 39 deg, bond_width: 0.8}
 )";
+constexpr const char* joints =
+    R"(contact_law: {type: flat_joint, bond_modulus: 10 GPa, stiffness_ratio: 2.5, tensile_strength: 4 MPa, cohesion: 6 MPa,
+  friction: 0.5, bonded_share: 80 %, gapped_share: 10 %, gap: 2 um}
+)";
 constexpr const char* outside = R"(
 outputs: [{type: vtk, interval: 15 us}]
 checkpoints: {every_steps: 40, keep: 100, at_end: true}
@@ -105,6 +109,9 @@ std::vector<Case> cases() {
       {"law_with_damage", std::string(spheres) + damage_law +
                               "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, max_strain: 0.3 %}\n" +
                               pictures + end},
+      {"law_of_elements", std::string(spheres) + joints +
+                              "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, max_strain: 0.2 %}\n" +
+                              end},
       {"triaxial_compression", std::string(spheres) + strong +
                                    "protocol: {type: triaxial_compression, platen_velocity: 1 m/s, stages: "
                                    "[{confining_pressure: 0.5 MPa}, {axial_strain: 0.2 %}, {hold_time: 5 us}, "
