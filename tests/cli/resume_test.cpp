@@ -77,6 +77,10 @@ constexpr const char* cement = R"(contact_law: {type: linear_parallel_bond, bond
 constexpr const char* beams = R"(contact_law: {type: beam_bond, bond_modulus: 20 GPa, poisson_ratio: 0.2,
   tensile_strength: 8 MPa, compressive_strength: 60 MPa, shear_strength: 20 MPa}
 )";
+constexpr const char* joints =
+    R"(contact_law: {type: flat_joint, bond_modulus: 10 GPa, stiffness_ratio: 2.5, tensile_strength: 4 MPa, cohesion: 6 MPa,
+  friction: 0.5, bonded_share: 80 %, gapped_share: 10 %, gap: 2 um}
+)";
 constexpr const char* outside = R"(
 outputs: [{type: vtk, interval: 15 us}]
 checkpoints: {every_steps: 40, keep: 100, at_end: true}
@@ -113,6 +117,9 @@ std::vector<Case> cases() {
       {"law_with_damage", std::string(spheres) + damage_law +
                               "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, max_strain: 0.3 %}\n" +
                               pictures + end},
+      {"law_of_elements", std::string(spheres) + joints +
+                              "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, max_strain: 0.2 %}\n" +
+                              end},
       {"triaxial_compression", std::string(spheres) + strong +
                                    "protocol: {type: triaxial_compression, platen_velocity: 1 m/s, stages: "
                                    "[{confining_pressure: 0.5 MPa}, {axial_strain: 0.2 %}, {hold_time: 5 us}, "

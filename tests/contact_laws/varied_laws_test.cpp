@@ -104,7 +104,11 @@ std::vector<LawCase> cases() {
                 {"cohesion", 60e6},          {"internal_friction_angle", 0.5}, {"radius_multiplier", 1.0},
                 {"moment_contribution", 1.0}},
       beam = {{"bond_modulus", 20e9},     {"poisson_ratio", 0.2},          {"radius_multiplier", 1.0},
-              {"tensile_strength", 40e6}, {"compressive_strength", 300e6}, {"shear_strength", 80e6}};
+              {"tensile_strength", 40e6}, {"compressive_strength", 300e6}, {"shear_strength", 80e6}},
+      joint = {{"elements", "disc_1x3"},   {"bond_modulus", 20e9}, {"stiffness_ratio", 2.5},
+               {"tensile_strength", 40e6}, {"cohesion", 60e6},     {"internal_friction_angle", 0.5},
+               {"radius_multiplier", 1.0}, {"friction", 0.4},      {"bonded_share", 1.0},
+               {"gapped_share", 0.0},      {"gap", 0.0},           {"lot", 0.5}};
   return {
       {"elastic_brittle",
        {brittle, changed(brittle, {{"tensile_strength", 90e6}}),
@@ -139,7 +143,11 @@ std::vector<LawCase> cases() {
       {"beam_bond",
        {beam, changed(beam, {{"tensile_strength", 90e6}}),
         changed(beam, {{"bond_modulus", 33e9}, {"radius_multiplier", 0.7}, {"poisson_ratio", 0.3}})},
-       {"tensile_strength", "compressive_strength", "shear_strength"}}};
+       {"tensile_strength", "compressive_strength", "shear_strength"}},
+      {"flat_joint",
+       {joint, changed(joint, {{"tensile_strength", 90e6}}),
+        changed(joint, {{"bond_modulus", 33e9}, {"radius_multiplier", 0.7}, {"friction", 0.1}})},
+       {"tensile_strength", "bond_modulus"}}};
 }
 
 std::unique_ptr<ContactLaw> prepared(const std::string& name, const Json& config,
