@@ -182,16 +182,31 @@ class LawCheck {
           "friction_work, contact_work and fracture_energy cannot be negative");
   }
 
+  /// The configuration as it is for a pair that is turned: with what is a direction in space turned, too.
+  Json turned_config(const Mat3& turn) const {
+    Json config = choice_.config;
+    for (const ParamSpec& p : registry_.documentation(ContactLaw::kind, choice_.type).root.members) {
+      const bool direction = p.name.ends_with("normal") || p.name.ends_with("direction");
+      if (!direction || p.max_items != 3 || !config.contains(p.name) || !config[p.name].is_array()) continue;
+      const auto along = config[p.name].get<std::array<double, 3>>();
+      const Vec3 there = turn * Vec3(along[0], along[1], along[2]);
+      config[p.name] = {there.x(), there.y(), there.z()};
+    }
+    return config;
+  }
+
   /// Where the pair lies in space, and which end is the first, is nobody's business.
   void frames(bool bonded) {
     double turned = 0, swapped = 0;
+    const Mat3 turn = Eigen::AngleAxisd(1.1, Vec3(0.3, -0.5, 0.8).normalized()).toRotationMatrix();
+    const auto there = make(turned_config(turn));
     for (const Way& way : ways(bonded)) {
       LawRig::Start start;
       start.bonded = bonded;
       LawRig::Start rotated = start, exchanged = start;
-      rotated.turned = Eigen::AngleAxisd(1.1, Vec3(0.3, -0.5, 0.8).normalized()).toRotationMatrix();
+      rotated.turned = turn;
       exchanged.swapped = true;
-      LawRig a(*law_, start, dt_), r(*law_, rotated, dt_), s(*law_, exchanged, dt_);
+      LawRig a(*law_, start, dt_), r(*there, rotated, dt_), s(*law_, exchanged, dt_);
       constexpr double amplitude = 0.002;
       double most = 1e-6 * scale_ * amplitude * checked_radius, off_turned = 0, off_swapped = 0;
       constexpr int steps = 400;
@@ -200,7 +215,6 @@ class LawCheck {
         const PairResponse x = a.step(m), y = r.step(m), z = s.step(m);
         if (r.intact() != a.intact() || s.intact() != a.intact()) break;  // rounding may part them by a step
         most = std::max({most, x.force.norm(), (x.torque_i.norm() + x.torque_j.norm()) / checked_radius});
-        const Mat3& turn = rotated.turned;
         off_turned = std::max({off_turned, (y.force - turn * x.force).norm(),
                                (y.torque_i - turn * x.torque_i).norm() / checked_radius,
                                (y.torque_j - turn * x.torque_j).norm() / checked_radius});

@@ -86,7 +86,13 @@ std::vector<LawCase> cases() {
                        {"compressive_limits", {20e6, 40e6, 60e6}},
                        {"compressive_slope_ratios", {2, 4, 5}}},
              dashpot = {{"normal_ratio", 0.1}, {"shear_ratio", 0.2}, {"stiffness_modulus", 10e9}},
-             rolling = {{"rolling_friction", 0.2}, {"twisting_friction", 0.1}, {"rolling_modulus", 10e9}};
+             rolling = {{"rolling_friction", 0.2}, {"twisting_friction", 0.1}, {"rolling_modulus", 10e9}},
+             soft = {{"bond_modulus", 20e9},     {"stiffness_ratio", 2.5},   {"tensile_strength", 40e6},
+                     {"fracture_energy", 500.0}, {"cohesion", 60e6},         {"internal_friction_angle", 0.5},
+                     {"friction", 0.3},          {"radius_multiplier", 1.0}, {"moment_contribution", 1.0}},
+             jointed = {{"bond_modulus", 20e9},  {"stiffness_ratio", 2.5},         {"tensile_strength", 40e6},
+                        {"cohesion", 60e6},      {"internal_friction_angle", 0.5}, {"friction", 0.3},
+                        {"smooth_joint", false}, {"dilation_angle", 0.0}};
   return {{"elastic_brittle",
            {brittle, changed(brittle, {{"tensile_strength", 90e6}}),
             changed(brittle, {{"bond_modulus", 23e9}, {"model", "model_2"}, {"friction", 0.1}})},
@@ -104,7 +110,15 @@ std::vector<LawCase> cases() {
            {}},
           {"rolling_resistance",
            {rolling, changed(rolling, {{"rolling_friction", 0.3}}), changed(rolling, {{"rolling_modulus", 23e9}})},
-           {}}};
+           {}},
+          {"soft_bond",
+           {soft, changed(soft, {{"tensile_strength", 90e6}}),
+            changed(soft, {{"bond_modulus", 33e9}, {"radius_multiplier", 0.7}, {"friction", 0.1}})},
+           {"tensile_strength", "fracture_energy", "cohesion"}},
+          {"jcfpm",
+           {jointed, changed(jointed, {{"tensile_strength", 90e6}}),
+            changed(jointed, {{"smooth_joint", true}, {"joint_normal", {1, 2, 3}}, {"dilation_angle", 0.1}})},
+           {"bond_modulus", "tensile_strength", "cohesion"}}};
 }
 
 std::unique_ptr<ContactLaw> prepared(const std::string& name, const Json& config,
