@@ -29,7 +29,8 @@ struct Law {
   }
 
   Law(const Config& c, const Assembly& a)
-      : modulus(c.bond_modulus.value_or(0)),
+      : modulus(a.dimension == 2 ? 0 : c.bond_modulus.value_or(0)),
+        breadth_modulus(a.dimension == 2 ? c.bond_modulus.value_or(0) * a.thickness : 0),
         stiffness_per_area(c.normal_stiffness.value_or(0)),
         inverse_ratio(1 / c.stiffness_ratio),
         tensile_strength(c.tensile_strength),
@@ -57,30 +58,32 @@ struct Law {
 
   BRECCIA_KERNEL ContactForce operator()(const Contact& c, State& s) const {
     const double area = strength_area(c), kn = normal_stiffness(c, area), ks = kn * inverse_ratio;
-    const bool was = c.intact > 0.5, breakable = c.breakable > 0.5, joint = smooth > 0.5;
+    const bool was = c.intact > 0.5, breakable = c.breakable > 0.5;
+    const double plain = 1 - smooth;  // numbers, not conditions: branches that agree for all pairs stop the vector loop
 
     // A joint's contact begins when the grains touch, whatever the height at which they meet, and ends when their
     // shadows on its plane part, or it gapes so far that they are strangers again.
     const double towards = c.nx * joint_x + c.ny * joint_y + c.nz * joint_z;
-    const bool known = s.side != 0, meets = joint & !known & (c.distance < c.rest_length);
-    const double side = known ? s.side : towards < 0 ? -1.0 : 1.0;
     const double sum = c.touching(), beside2 = c.distance * c.distance * (1 - towards * towards);
-    const bool leaves = joint & known & !was & ((beside2 >= sum * sum) | (s.opening >= sum));
-    const bool touches = (!joint) | (known & !leaves);
+    const double known = s.side * s.side, side = s.side + (1 - known) * (towards < 0 ? -1.0 : 1.0);
+    const double meets = c.distance < c.rest_length ? smooth * (1 - known) : 0.0;
+    const double may_leave = was ? 0.0 : smooth * known;
+    const double leaves = (beside2 >= sum * sum) | (s.opening >= sum) ? may_leave : 0.0;
+    const double touches = plain + smooth * known - leaves;
 
     // Along the normal and in the plane of the contact: those of the line of centres, or of the joint.
-    const double ax = joint ? side * joint_x : c.nx, ay = joint ? side * joint_y : c.ny,
-                 az = joint ? side * joint_z : c.nz;
+    const double ax = side * joint_x + plain * c.nx, ay = side * joint_y + plain * c.ny,
+                 az = side * joint_z + plain * c.nz;
     const PlaneVector moved = motion_of_contact(c), followed = follow_plane(c, s.spring_x, s.spring_y, s.spring_z);
     const double parts = moved.x * ax + moved.y * ay + moved.z * az;
     const double apart = c.distance - c.rest_length;
-    const double before = joint ? s.opening : apart - c.normal_velocity * c.time_step,
-                 opened = joint ? s.opening + parts : apart;
-    const double old_x = joint ? s.spring_x : followed.x, old_y = joint ? s.spring_y : followed.y,
-                 old_z = joint ? s.spring_z : followed.z;
-    const double x = old_x + (joint ? moved.x - parts * ax : c.shear_x),
-                 y = old_y + (joint ? moved.y - parts * ay : c.shear_y),
-                 z = old_z + (joint ? moved.z - parts * az : c.shear_z);
+    const double before = s.opening + plain * (apart - c.normal_velocity * c.time_step),
+                 opened = s.opening + smooth * parts + plain * apart;
+    const double old_x = smooth * s.spring_x + plain * followed.x, old_y = smooth * s.spring_y + plain * followed.y,
+                 old_z = smooth * s.spring_z + plain * followed.z;
+    const double x = old_x + smooth * (moved.x - parts * ax) + plain * c.shear_x,
+                 y = old_y + smooth * (moved.y - parts * ay) + plain * c.shear_y,
+                 z = old_z + smooth * (moved.z - parts * az) + plain * c.shear_z;
     const double size = std::sqrt(x * x + y * y + z * z), along = old_x * x + old_y * y + old_z * z;
 
     const double bonded = kn * opened, trial = ks * size;
@@ -91,19 +94,18 @@ struct Law {
     // What slides on an open-mouthed joint wedges it open: by `tan(psi)` of the slide, which presses it more and so
     // stops the slide earlier.
     const double pushed = opened < 0 ? -bonded : 0.0;
-    const double wedge = (!was) & (opened < 0) ? dilation : 0.0;
+    const double dilates = was ? 0.0 : dilation, wedge = opened < 0 ? dilates : 0.0;
     const double excess = trial - friction * pushed, slide = (excess > 0 ? excess : 0.0) / (ks + friction * kn * wedge);
-    const double limit = excess > 0 ? trial - ks * slide : friction * pushed;
+    const double limit = friction * (pushed + kn * wedge * slide);
     const CoulombSlip slip = coulomb_slip(ks, size, along, limit, !holds);
-    const double lifted = slip.slides ? wedge * slide : 0.0;
-    const double rests = opened - lifted, keep = touches ? slip.keep : 0.0;
-    const double stretch = touches & (holds | (rests < 0)) ? rests : 0.0;
+    const double lifted = wedge * slide, rests = opened - lifted, keep = touches * slip.keep;
+    const double stretch = holds | (rests < 0) ? touches * rests : 0.0;
 
     s.spring_x = keep * x;
     s.spring_y = keep * y;
     s.spring_z = keep * z;
-    s.opening = joint & touches ? rests : 0.0;
-    s.side = joint & (touches | meets) ? side : 0.0;
+    s.opening = smooth * touches * rests;
+    s.side = (smooth * touches + meets) * side;
 
     const double push = kn * stretch, fx = push * ax + ks * s.spring_x, fy = push * ay + ks * s.spring_y,
                  fz = push * az + ks * s.spring_z;
@@ -118,8 +120,8 @@ struct Law {
     const double pulled = (before > 0 ? before : 0.0) * (opened > 0 ? opened : 0.0);
     const double held = (before < 0 ? before : 0.0), presses = rests < 0 ? rests : 0.0;
     f.fracture_energy = broke ? slip.work + 0.5 * kn * pulled : 0.0;
-    f.friction_work = was | (!touches) ? 0.0 : slip.work + 0.5 * kn * (held + presses) * lifted;
-    f.contact_work = leaves ? 0.5 * (kn * held * (opened < 0 ? opened : 0.0) + ks * along) : 0.0;
+    f.friction_work = was ? 0.0 : touches * (slip.work + 0.5 * kn * (held + presses) * lifted);
+    f.contact_work = leaves * 0.5 * (kn * held * (opened < 0 ? opened : 0.0) + ks * along);
     return f;
   }
 
@@ -144,10 +146,13 @@ struct Law {
   }
   BRECCIA_KERNEL double normal_stiffness(const Contact& c, double area) const {
     const double harmonic = 2 * c.radius_i * c.radius_j / (c.radius_i + c.radius_j);
-    return stiffness_per_area * area + modulus * (disc > 0 ? harmonic : 0.5 * breadth);
+    return stiffness_per_area * area + modulus * harmonic + breadth_modulus;
   }
 
-  double modulus, stiffness_per_area, inverse_ratio;     // E [Pa] or per area [Pa/m]: the other is 0; k_s/k_n
+  // k_n = modulus x harmonic mean of the radii, or breadth_modulus in a plane, or stiffness_per_area A; the others are
+  // 0.
+  double modulus, breadth_modulus, stiffness_per_area;   // [Pa], [N/m], [Pa/m]
+  double inverse_ratio;                                  // k_s/k_n
   double tensile_strength, cohesion, internal_friction;  // sigma_t, c [Pa], tan(phi)
   double friction, dilation;                             // mu, tan(psi)
   double smooth, joint_x = 0, joint_y = 0, joint_z = 0;  // 1 or 0; unit normal
