@@ -28,7 +28,7 @@ inline std::string energy_text(double energy) {
 /// Why a fracture energy is too little. With less than what is stored the force would have to fall while the bond gets
 /// shorter, which a path of growing length cannot follow.
 inline std::string too_little(double given, double least, const std::string& of) {
-  return "`fracture_energy` of " + energy_text(given) + " is too little: " + of + " stores " + energy_text(least) +
+  return energy_text(given) + " is too little: " + of + " stores " + energy_text(least) +
          " up to its strength; give more than that, or a `softening_factor` (0: brittle)";
 }
 

@@ -156,7 +156,8 @@ struct Law {
     if (!(longest > 0)) return;
     const double least = stored_at_strength(c, *c.bond_modulus / longest);
     if (*c.fracture_energy < least)
-      throw UserError("contact_law soft_bond: " + too_little(*c.fracture_energy, least, "the bond of the two largest"));
+      throw UserError("contact_law soft_bond: fracture_energy: " +
+                      too_little(*c.fracture_energy, least, "the bond of the two largest"));
   }
 
   BondSection section;
