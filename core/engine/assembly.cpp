@@ -74,6 +74,8 @@ State assemble(const PackedParticles& packing, const Materials& materials, int d
   Particles& p = s.particles;
   const std::vector<Index> order = morton_order(packing.position);
   const std::size_t n = order.size();
+  p.motion.reserve(n);
+  p.id.reserve(n);
   for (const Index k : order) {
     const double r = packing.radius[k];
     if (dimension == 2 && packing.position[k].z() != 0)

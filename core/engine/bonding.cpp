@@ -100,6 +100,8 @@ BondingResult make_bonds(State& state, const BondingRule& rule) {
             [](const Candidate& a, const Candidate& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; });
   Bonds& b = state.bonds;
   b = {};
+  for (auto* numbers : {&b.i, &b.j}) numbers->reserve(chosen.size());
+  b.initial_distance.reserve(chosen.size());
   for (const Candidate& c : chosen) {
     if (c.distance <= 0) throw UserError("two particles of the packing have the same centre: they cannot be bonded");
     b.i.push_back(c.i);

@@ -11,6 +11,8 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cstring>
 #include <filesystem>
 #include <iterator>
 #include <string_view>
@@ -41,6 +43,13 @@ class CheckedVtpReader : public vtkXMLPolyDataReader {
   static bool is_sound_array(vtkXMLDataElement* array) {
     static constexpr std::string_view types[] = {"Int8",  "UInt8",  "Int16",   "UInt16",  "Int32",  "UInt32",
                                                  "Int64", "UInt64", "Float32", "Float64", "String", "Bit"};
+    // VTK would go through as many names of components as are asked for.
+    constexpr int most_components = 1000;
+    if (const char* said = array->GetAttribute("NumberOfComponents")) {
+      int number = 0;
+      const auto [end, error] = std::from_chars(said, said + std::strlen(said), number);
+      if (error != std::errc() || *end != '\0' || number < 1 || number > most_components) return false;
+    }
     const char* type = array->GetAttribute("type");
     return type && std::find(std::begin(types), std::end(types), type) != std::end(types);
   }

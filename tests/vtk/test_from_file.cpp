@@ -186,6 +186,19 @@ TEST_F(FromFile, BadVtpFilesAreRefused) {
                   cylinder);
            }),
            "type.vtp: it is damaged");
+  // Of this many components VTK looked for a name each, for hours.
+  for (const char* components : {"1999999999999cii", "1999999999", "-3", "0", "3 "})
+    expect(user_error([&] {
+             load(folder_.file("many.vtp",
+                               R"(<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>)"
+                               R"(<Piece NumberOfPoints="0"><PointData><DataArray type="Float64" Name="radius" )"
+                               R"(NumberOfComponents=")" +
+                                   std::string(components) +
+                                   R"("/></PointData><Points><DataArray type="Float64" NumberOfComponents="3" )"
+                                   R"(format="ascii"></DataArray></Points></Piece></PolyData></VTKFile>)"),
+                  cylinder);
+           }),
+           "many.vtp: it is damaged");
   auto output = make<Output>(BRECCIA_VTK_PLUGIN, {});
   output->begin(folder_.path(), host_);
   output->frame(Specimen(20, 3).view(0), {});
