@@ -81,6 +81,17 @@ constexpr const char* joints =
     R"(contact_law: {type: flat_joint, bond_modulus: 10 GPa, stiffness_ratio: 2.5, tensile_strength: 4 MPa, cohesion: 6 MPa,
   friction: 0.5, bonded_share: 80 %, gapped_share: 10 %, gap: 2 um}
 )";
+constexpr const char* softening =
+    R"(contact_law: {type: soft_bond, bond_modulus: 10 GPa, stiffness_ratio: 2.5,
+  tensile_strength: {mean: 2 MPa, distribution: weibull, modulus: 6}, fracture_energy: 2 J/m2, cohesion: 4 MPa,
+  internal_friction_angle: 30 deg, friction: 0.5}
+)";
+constexpr const char* jointed =
+    R"(material_of: {regions: [{material: upper, half_space: {point: [4 mm, 4 mm, 8 mm], normal: [1, 0, 1.5]}}], elsewhere: lower}
+contact_law: {type: jcfpm, bond_modulus: 10 GPa, stiffness_ratio: 4, tensile_strength: 4 MPa, cohesion: 8 MPa,
+  internal_friction_angle: 30 deg, friction: 0.5, between: [{materials: [upper, lower], smooth_joint: true,
+  joint_normal: [1, 0, 1.5], tensile_strength: 0 MPa, cohesion: 0 MPa, dilation_angle: 5 deg}]}
+)";
 constexpr const char* outside = R"(
 outputs: [{type: vtk, interval: 15 us}]
 checkpoints: {every_steps: 40, keep: 100, at_end: true}
@@ -90,6 +101,10 @@ constexpr const char* all_posts =
     "postprocessors: [{type: stress}, {type: bagi_strain}, {type: elastic_constants}, "
     "{type: damage}, {type: bond_statistics}, {type: fabric}, {type: energy}, "
     "{type: gauges}, {type: statistics}, {type: contact_stress}]\n";
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  return text.replace(text.find(what), what.size(), by);
+}
 
 /// One of the cases has them: they are made from the other files.
 const std::string pictures =
@@ -120,6 +135,14 @@ std::vector<Case> cases() {
       {"law_of_elements", std::string(spheres) + joints +
                               "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, max_strain: 0.2 %}\n" +
                               end},
+      {"law_that_softens", std::string(spheres) + softening +
+                               "protocol: {type: direct_tension, plate_velocity: 1 m/s, ramp_time: 5 us, grip: 2 mm, "
+                               "max_strain: 0.2 %}\n" +
+                               no_strain},
+      {"smooth_joint", replaced(spheres, "material: {density: 2650 kg/m3}",
+                                "materials: {upper: {density: 2650 kg/m3}, lower: {density: 2650 kg/m3}}") +
+                           jointed +
+                           "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, max_strain: 0.3 %}\n" + end},
       {"triaxial_compression", std::string(spheres) + strong +
                                    "protocol: {type: triaxial_compression, platen_velocity: 1 m/s, stages: "
                                    "[{confining_pressure: 0.5 MPa}, {axial_strain: 0.2 %}, {hold_time: 5 us}, "

@@ -108,7 +108,13 @@ std::vector<LawCase> cases() {
       joint = {{"elements", "disc_1x3"},   {"bond_modulus", 20e9}, {"stiffness_ratio", 2.5},
                {"tensile_strength", 40e6}, {"cohesion", 60e6},     {"internal_friction_angle", 0.5},
                {"radius_multiplier", 1.0}, {"friction", 0.4},      {"bonded_share", 1.0},
-               {"gapped_share", 0.0},      {"gap", 0.0},           {"lot", 0.5}};
+               {"gapped_share", 0.0},      {"gap", 0.0},           {"lot", 0.5}},
+      soft = {{"bond_modulus", 20e9},     {"stiffness_ratio", 2.5},   {"tensile_strength", 40e6},
+              {"fracture_energy", 500.0}, {"cohesion", 60e6},         {"internal_friction_angle", 0.5},
+              {"friction", 0.3},          {"radius_multiplier", 1.0}, {"moment_contribution", 1.0}},
+      jointed = {{"bond_modulus", 20e9},  {"stiffness_ratio", 2.5},         {"tensile_strength", 40e6},
+                 {"cohesion", 60e6},      {"internal_friction_angle", 0.5}, {"friction", 0.3},
+                 {"smooth_joint", false}, {"dilation_angle", 0.0}};
   return {
       {"elastic_brittle",
        {brittle, changed(brittle, {{"tensile_strength", 90e6}}),
@@ -147,7 +153,15 @@ std::vector<LawCase> cases() {
       {"flat_joint",
        {joint, changed(joint, {{"tensile_strength", 90e6}}),
         changed(joint, {{"bond_modulus", 33e9}, {"radius_multiplier", 0.7}, {"friction", 0.1}})},
-       {"tensile_strength", "bond_modulus"}}};
+       {"tensile_strength", "bond_modulus"}},
+      {"soft_bond",
+       {soft, changed(soft, {{"tensile_strength", 90e6}}),
+        changed(soft, {{"bond_modulus", 33e9}, {"radius_multiplier", 0.7}, {"friction", 0.1}})},
+       {"tensile_strength", "fracture_energy", "cohesion"}},
+      {"jcfpm",
+       {jointed, changed(jointed, {{"tensile_strength", 90e6}}),
+        changed(jointed, {{"smooth_joint", true}, {"joint_normal", {1, 2, 3}}, {"dilation_angle", 0.1}})},
+       {"bond_modulus", "tensile_strength", "cohesion"}}};
 }
 
 std::unique_ptr<ContactLaw> prepared(const std::string& name, const Json& config,
