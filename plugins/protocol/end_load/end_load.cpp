@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Dead loads on parts of a specimen that is held at others, static or dynamic.
-#include "breccia/protocol_tools/smooth_ramp.hpp"
 #include "group.hpp"
+#include "running.hpp"
 
 namespace breccia::end_load {
 
@@ -114,7 +114,6 @@ class EndLoad final : public Protocol {
   }
 
  private:
-  enum class Ending { none, rest, duration, max_displacement, max_time, first_break };
   struct Supported {
     Group group;
     std::uint8_t mask;
@@ -127,33 +126,6 @@ class EndLoad final : public Protocol {
     Index particle;
     Vec3 force, torque;  // [N], [N m]
   };
-  struct Running {
-    SmoothRamp ramp;
-    double factor = 0, last_time = 0, full_at = 0, displacement = 0, unrest = 1, factor_at_break = -1;
-    std::size_t broken_before = 0;
-    std::uint32_t since_look = 0;
-    Ending ended = Ending::none;
-    bool begun = false, marked = false;
-    std::vector<Vec3> rotation;  ///< of the groups, supports first [rad]
-
-    void archive(Archive& archive) {
-      archive("ramp", ramp);
-      for (auto& [name, value] : {std::pair<const char*, double*>("factor", &factor),
-                                  {"last_time", &last_time},
-                                  {"full_at", &full_at},
-                                  {"displacement", &displacement},
-                                  {"unrest", &unrest},
-                                  {"factor_at_break", &factor_at_break}})
-        archive(name, *value);
-      archive("broken_before", broken_before);
-      archive("since_look", since_look);
-      archive("ended", ended);
-      archive("begun", begun);
-      archive("marked", marked);
-      archive("rotation", rotation);
-    }
-  };
-
   void take_supports(const ParticlesView& p, LoadControl& control) {
     held_.assign(p.size(), 0);
     for (std::size_t k = 0; k < c_.supports.size(); ++k) {
@@ -259,30 +231,14 @@ class EndLoad final : public Protocol {
     return Ending::max_time;
   }
 
-  /// Resultants on what is free over the loads that are applied at the end: torques count by the radius.
-  double unbalanced(const ParticlesView& p) const {
-    double sum = 0;
-    for (Index k = 0; k < p.size(); ++k) {
-      Vec3 force = p.force[k], torque = p.torque[k];
-      for (int c = 0; c < 3; ++c) {
-        if (p.held[k] >> c & 1) force[c] = 0;
-        if (p.held[k] >> (c + 3) & 1) torque[c] = 0;
-      }
-      sum += force.norm() + torque.norm() / p.radius[k];
-    }
-    return sum / size_;
-  }
-  /// Kinetic energy over the work that the loads, as they are now, would have done at once.
+  double unbalanced(const ParticlesView& p) const { return free_resultants(p) / size_; }
+  /// Over the work that the loads, as they are at the end, would have done at once.
   double kinetic_share(const ParticlesView& p) const {
-    const double of_sphere = dimension_ == 2 ? 0.5 : 0.4;
-    double kinetic = 0, work = 0;
-    for (Index k = 0; k < p.size(); ++k)
-      kinetic +=
-          0.5 * p.mass[k] *
-          (p.velocity[k].squaredNorm() + of_sphere * p.radius[k] * p.radius[k] * p.angular_velocity[k].squaredNorm());
+    double work = 0;
     for (std::size_t k = 0; k < loads_.size(); ++k)
       work += loads_[k].force.dot(loads_[k].group.displacement(p)) +
               loads_[k].moment.dot(s_.rotation[supports_.size() + k]);
+    const double kinetic = kinetic_energy(p, dimension_);
     return work > 0 ? kinetic / work : kinetic > 0 ? 1.0 : 0.0;
   }
 
