@@ -86,7 +86,10 @@ std::vector<LawCase> cases() {
                        {"compressive_limits", {20e6, 40e6, 60e6}},
                        {"compressive_slope_ratios", {2, 4, 5}}},
              dashpot = {{"normal_ratio", 0.1}, {"shear_ratio", 0.2}, {"stiffness_modulus", 10e9}},
-             rolling = {{"rolling_friction", 0.2}, {"twisting_friction", 0.1}, {"rolling_modulus", 10e9}};
+             rolling = {{"rolling_friction", 0.2}, {"twisting_friction", 0.1}, {"rolling_modulus", 10e9}},
+             cement = {{"bond_modulus", 20e9},      {"stiffness_ratio", 2.5},         {"tensile_strength", 40e6},
+                       {"cohesion", 60e6},          {"internal_friction_angle", 0.5}, {"radius_multiplier", 1.0},
+                       {"moment_contribution", 1.0}};
   return {{"elastic_brittle",
            {brittle, changed(brittle, {{"tensile_strength", 90e6}}),
             changed(brittle, {{"bond_modulus", 23e9}, {"model", "model_2"}, {"friction", 0.1}})},
@@ -104,7 +107,11 @@ std::vector<LawCase> cases() {
            {}},
           {"rolling_resistance",
            {rolling, changed(rolling, {{"rolling_friction", 0.3}}), changed(rolling, {{"rolling_modulus", 23e9}})},
-           {}}};
+           {}},
+          {"linear_parallel_bond",
+           {cement, changed(cement, {{"tensile_strength", 90e6}}),
+            changed(cement, {{"bond_modulus", 33e9}, {"radius_multiplier", 0.7}, {"moment_contribution", 0.2}})},
+           {"tensile_strength", "cohesion"}}};
 }
 
 std::unique_ptr<ContactLaw> prepared(const std::string& name, const Json& config,

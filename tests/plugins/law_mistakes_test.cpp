@@ -44,8 +44,8 @@ Output check(const std::string& law, const std::string& more = "") {
 }
 
 TEST(LawCheck, ShippedLawsHold) {
-  for (const char* law :
-       {"elastic_brittle", "nonlinear_tension", "elasto_damage_plastic", "dashpot", "rolling_resistance"}) {
+  for (const char* law : {"elastic_brittle", "nonlinear_tension", "elasto_damage_plastic", "dashpot",
+                          "rolling_resistance", "linear_parallel_bond"}) {
     const Output out = check(law);
     EXPECT_EQ(out.code, 0) << out.text;
     EXPECT_TRUE(has(out.text, "all holds")) << out.text;

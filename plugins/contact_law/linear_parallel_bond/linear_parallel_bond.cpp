@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Cement between two grains: a disc of elastic springs that carries force and moment, and breaks as a whole. It stands
+/// beside the law of the grains themselves.
+/// Source: Potyondy, Cundall (2004), Int. J. Rock Mech. Min. Sci. 41, 1329-1364, Eqs. 13-17; README.md has them.
+#include <numbers>
+
+#include "breccia/contact_law.hpp"
+
+namespace breccia {
+
+struct LinearParallelBond {
+  struct Config {
+    std::optional<double> bond_modulus, normal_stiffness;
+    double stiffness_ratio, tensile_strength, cohesion, internal_friction_angle, radius_multiplier, moment_contribution;
+  };
+
+  static void describe(Schema<Config>& s) {
+    s.summary("Parallel bond: a disc of cement that carries force and moment; adds to the contact of the grains")
+        .source("Potyondy, Cundall (2004), Int. J. Rock Mech. Min. Sci. 41, 1329-1364, Eqs. 13-17")
+        .details(
+            "A disc of radius R_b = lambda min(r_i, r_j), in two dimensions a strip 2 R_b broad and as thick as the "
+            "specimen, of springs k_n and k_s per area. F_n = k_n A u_n, F_s = k_s A u_s, M = k_n I theta_b, M_t = k_s "
+            "J theta_t. It breaks in tension when F_n/A + beta |M| R_b/I > sigma_t, in shear when |F_s|/A + beta |M_t| "
+            "R_b/J > c - F_n/A tan(phi). A broken bond carries nothing: the grains' contact is a law of its own that "
+            "stands before this one in the list.");
+    s.exactly_one_of({"bond_modulus", "normal_stiffness"});
+    s.param("bond_modulus", &Config::bond_modulus)
+        .unit("Pa")
+        .above(0)
+        .example("62 GPa")
+        .doc("E of the cement: k_n = E/(r_i + r_j)")
+        .source("E_c of the parallel bond, section 3.1");
+    s.param("normal_stiffness", &Config::normal_stiffness)
+        .unit("Pa/m")
+        .above(0)
+        .example("60e12 Pa/m")
+        .doc("k_n, per area, the same for all bonds");
+    s.param("stiffness_ratio", &Config::stiffness_ratio)
+        .above(0)
+        .example("2.5")
+        .doc("normal over shear stiffness, k_n/k_s");
+    s.param("tensile_strength", &Config::tensile_strength)
+        .unit("Pa")
+        .above(0)
+        .example("157 MPa")
+        .doc("largest normal stress, at the rim")
+        .source("Eq. 17");
+    s.param("cohesion", &Config::cohesion)
+        .unit("Pa")
+        .above(0)
+        .example("157 MPa")
+        .doc("largest shear stress, at the rim, of a bond without normal force, c")
+        .source("Eq. 17: the shear strength");
+    s.param("internal_friction_angle", &Config::internal_friction_angle)
+        .unit("rad")
+        .at_least(0)
+        .below(0.5 * std::numbers::pi)
+        .fallback(0.0)
+        .doc("phi, by which pressure raises the shear strength; 0 is the law of 2004");
+    s.param("radius_multiplier", &Config::radius_multiplier)
+        .above(0)
+        .fallback(1.0)
+        .doc("radius of the disc over the smaller of the two, lambda");
+    s.param("moment_contribution", &Config::moment_contribution)
+        .at_least(0)
+        .at_most(1)
+        .fallback(1.0)
+        .doc("share of bending and twisting in the stresses that break, beta; 1 is the law of 2004");
+  }
+
+  struct State {
+    double shear_x, shear_y, shear_z, bending_x, bending_y, bending_z, twist;
+  };
+  static constexpr std::array columns{StateColumn<State>{&State::shear_x, "bond_shear_x", "m"},
+                                      StateColumn<State>{&State::shear_y, "bond_shear_y", "m"},
+                                      StateColumn<State>{&State::shear_z, "bond_shear_z", "m"},
+                                      StateColumn<State>{&State::bending_x, "bond_bending_x", "rad"},
+                                      StateColumn<State>{&State::bending_y, "bond_bending_y", "rad"},
+                                      StateColumn<State>{&State::bending_z, "bond_bending_z", "rad"},
+                                      StateColumn<State>{&State::twist, "bond_twist", "rad"}};
+  static constexpr bool has_moments = true, respects_protection = true;
+  static constexpr auto per_bond() {
+    return std::array{PerBond<LinearParallelBond>{"tensile_strength", &LinearParallelBond::tensile_strength},
+                      PerBond<LinearParallelBond>{"cohesion", &LinearParallelBond::cohesion}};
+  }
+
+  LinearParallelBond(const Config& c, const Assembly& a)
+      : modulus(c.bond_modulus.value_or(0)),
+        stiffness_per_area(c.normal_stiffness.value_or(0)),
+        inverse_ratio(1 / c.stiffness_ratio),
+        tensile_strength(c.tensile_strength),
+        cohesion(c.cohesion),
+        friction(std::tan(c.internal_friction_angle)),
+        multiplier(c.radius_multiplier),
+        contribution(c.moment_contribution),
+        disc(a.dimension == 2 ? 0 : std::numbers::pi),
+        breadth(a.dimension == 2 ? 2 * a.thickness : 0) {}
+
+  BRECCIA_KERNEL State initial(const Contact&) const { return {0, 0, 0, 0, 0, 0, 0}; }
+
+  BRECCIA_KERNEL ContactForce operator()(const Contact& c, State& s) const {
+    const Section at = section(c);
+    const bool was = c.intact > 0.5, breakable = c.breakable > 0.5;
+    const double opened = c.distance - c.rest_length;
+    const PlaneVector slid = follow_plane(c, s.shear_x, s.shear_y, s.shear_z);
+    const double x = slid.x + c.shear_x, y = slid.y + c.shear_y, z = slid.z + c.shear_z;
+    const PlaneVector bent = follow_plane(c, s.bending_x, s.bending_y, s.bending_z);
+    const double turned = c.turn_x * c.nx + c.turn_y * c.ny + c.turn_z * c.nz;
+    const double bx = bent.x + (c.turn_x - turned * c.nx), by = bent.y + (c.turn_y - turned * c.ny),
+                 bz = bent.z + (c.turn_z - turned * c.nz), twist = s.twist + turned;
+
+    // The springs at the rim: M R/I = k_n theta R, M_t R/J = k_s theta_t R.
+    const double rim = contribution * at.radius, mean = at.normal * opened;
+    const double pull = mean + rim * at.normal * std::sqrt(bx * bx + by * by + bz * bz);
+    const double shear = at.shear * (std::sqrt(x * x + y * y + z * z) + rim * at.twists * std::abs(twist));
+    const bool tension = breakable & (pull > tensile_strength);
+    const bool sheared = breakable & !tension & (shear > cohesion - friction * mean);
+    const bool broke = tension | sheared;
+
+    const double hold = was & !broke ? 1.0 : 0.0;
+    s.shear_x = hold * x;
+    s.shear_y = hold * y;
+    s.shear_z = hold * z;
+    s.bending_x = hold * bx;
+    s.bending_y = hold * by;
+    s.bending_z = hold * bz;
+    s.twist = hold * twist;
+
+    const double kn = at.normal * at.area, ks = at.shear * at.area, km = at.normal * at.bending,
+                 kt = at.shear * at.torsion, twisting = kt * s.twist;
+    ContactForce f;
+    f.normal = hold * kn * opened;
+    f.shear_x = ks * s.shear_x;
+    f.shear_y = ks * s.shear_y;
+    f.shear_z = ks * s.shear_z;
+    f.moment_x = km * s.bending_x + twisting * c.nx;
+    f.moment_y = km * s.bending_y + twisting * c.ny;
+    f.moment_z = km * s.bending_z + twisting * c.nz;
+    f.breaks = tension ? double(BondState::broken_tension) : sheared ? double(BondState::broken_shear) : 0.0;
+    // What the bond stored, less the work that its force and moment did not do in this step any more, as leapfrog has
+    // it: half of them times the way. A spring loses half its force times where it was before the step.
+    const double lost = kn * opened * (opened - c.normal_velocity * c.time_step) +
+                        ks * (slid.x * x + slid.y * y + slid.z * z) + km * (bent.x * bx + bent.y * by + bent.z * bz) +
+                        kt * (twist - turned) * twist;
+    f.fracture_energy = broke ? 0.5 * lost : 0.0;
+    return f;
+  }
+
+  BRECCIA_KERNEL double energy(const Contact& c, const State& s) const {
+    const Section at = section(c);
+    const double opened = c.intact > 0.5 ? c.distance - c.rest_length : 0.0;
+    const double shear2 = s.shear_x * s.shear_x + s.shear_y * s.shear_y + s.shear_z * s.shear_z;
+    const double bending2 = s.bending_x * s.bending_x + s.bending_y * s.bending_y + s.bending_z * s.bending_z;
+    return 0.5 * (at.normal * (at.area * opened * opened + at.bending * bending2) +
+                  at.shear * (at.area * shear2 + at.torsion * s.twist * s.twist));
+  }
+
+  BRECCIA_KERNEL ContactStiffness stiffness(const Contact& c) const {
+    const Section at = section(c);
+    const double hold = c.intact > 0.5 ? 1.0 : 0.0, normal = hold * at.normal, shear = hold * at.shear;
+    return {normal * at.area, shear * at.area, normal * at.bending, shear * at.torsion};
+  }
+
+ private:
+  struct Section {
+    double radius, area, bending, torsion;  ///< R_b [m], A [m2], I and J [m4]
+    double normal, shear;                   ///< k_n, k_s [Pa/m]
+    double twists;                          ///< 0 in a plane, else 1
+  };
+  BRECCIA_KERNEL Section section(const Contact& c) const {
+    const double radius = multiplier * (c.radius_i < c.radius_j ? c.radius_i : c.radius_j), square = radius * radius;
+    Section at;
+    at.radius = radius;
+    at.area = radius * (disc * radius + breadth);
+    at.bending = square * radius * (0.25 * disc * radius + breadth * (1.0 / 3));
+    at.torsion = 0.5 * disc * square * square;
+    at.normal = stiffness_per_area + modulus / (c.radius_i + c.radius_j);
+    at.shear = at.normal * inverse_ratio;
+    at.twists = disc > 0 ? 1.0 : 0.0;
+    return at;
+  }
+
+  double modulus, stiffness_per_area, inverse_ratio;  // E [Pa] or k_n [Pa/m]: the other is 0; k_s/k_n
+  double tensile_strength, cohesion, friction;        // [Pa], [Pa], tan(phi)
+  double multiplier, contribution;                    // lambda, beta
+  double disc, breadth;                               // pi, or 0 in a plane; 2 t there [m], else 0
+};
+
+}  // namespace breccia
+
+BRECCIA_CONTACT_LAW(breccia::LinearParallelBond, "linear_parallel_bond")
