@@ -44,7 +44,6 @@ SPLITTING = [  # text, workflow, label, settings: discs
     ("Brazilian, as in the workflow: cut out, rigid platens", BRAZILIAN, "", []),
     ("platens at 0.1 m/s instead of 0.05", BRAZILIAN, "velocity_0p1", ["protocol.platen_velocity=0.1 m/s"]),
     ("platens of 20 GN/m, a twelfth of the default", BRAZILIAN, "platen_20", ["protocol.platen_stiffness=20 GN/m", "protocol.max_displacement=1.2 %"]),
-    ("platens of 5 GN/m: the load spreads over several discs", BRAZILIAN, "platen_5", ["protocol.platen_stiffness=5 GN/m", "protocol.max_displacement=2.5 %", "protocol.platen_velocity=0.1 m/s"]),
     ("packed into the round wall instead of cut out", BRAZILIAN, "walls", ["packing.margin=0 mm", "packing.overlap_tolerance=5 %"]),
     ("discs half as large", BRAZILIAN, "fine", discs_of(0.5)),
     ("4.4 bonds a disc", BRAZILIAN, "z4p4", ["bonding.coordination_number=4.4"]),
