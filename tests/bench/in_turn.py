@@ -36,19 +36,28 @@ class Program:
         self.times.append(float(self.answer("SECONDS")))
 
 
-batches = int(sys.argv[1])
-programs = [Program(text) for text in sys.argv[2:]]
-for _ in range(batches):
+def run(programs, batches):
+    """Batches of all of them in turn; then they end."""
+    for _ in range(batches):
+        for program in programs:
+            program.batch()
     for program in programs:
-        program.batch()
-for program in programs:
-    program.process.stdin.close()
-    program.process.wait()
-print(f"{'':>20}  {'particles':>9} {'bonds':>8}  {'least':>8} {'median':>8}  ns per bond and step; over the first")
-first = None
-for program in programs:
-    each = 1e9 / program.has.get("steps", programs[0].has["steps"]) / program.has["bonds"]
-    least, median = each * min(program.times), each * statistics.median(program.times)
-    first = first or (least, median)
-    print(f"{program.label:>20}  {program.has['particles']:>9} {program.has['bonds']:>8}  {least:>8.2f} {median:>8.2f}  "
-          f"{least / first[0]:.3f} {median / first[1]:.3f}")
+        program.process.stdin.close()
+        program.process.wait()
+
+
+def main():
+    programs = [Program(text) for text in sys.argv[2:]]
+    run(programs, int(sys.argv[1]))
+    print(f"{'':>20}  {'particles':>9} {'bonds':>8}  {'least':>8} {'median':>8}  ns per bond and step; over the first")
+    first = None
+    for program in programs:
+        each = 1e9 / program.has.get("steps", programs[0].has["steps"]) / program.has["bonds"]
+        least, median = each * min(program.times), each * statistics.median(program.times)
+        first = first or (least, median)
+        print(f"{program.label:>20}  {program.has['particles']:>9} {program.has['bonds']:>8}  {least:>8.2f} {median:>8.2f}  "
+              f"{least / first[0]:.3f} {median / first[1]:.3f}")
+
+
+if __name__ == "__main__":
+    main()

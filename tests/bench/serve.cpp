@@ -36,7 +36,11 @@ void serve(const Specimen& specimen, int threads, const std::string& file) {
   Case one(specimen, threads);
   const State& s = one.simulation().state();
   if (!file.empty()) write_specimen(file, specimen, s);
-  const Json has = {{"particles", s.particles.size()}, {"bonds", s.bonds.size()}, {"steps", Case::steps}};
+  const Json has = {{"particles", s.particles.size()},
+                    {"bonds", s.bonds.size()},
+                    {"pairs", s.pairs.size()},
+                    {"bytes", one.memory()},
+                    {"steps", Case::steps}};
   fmt::print("READY {}\n", has.dump());
   std::fflush(stdout);
   for (std::string line; std::getline(std::cin, line);) {

@@ -21,6 +21,7 @@ MENU = [
         ("Reading results", "docs/tutorials/reading_results.md"),
     ]),
     ("Guides", [
+        ("Choosing a contact law", "docs/laws.md"),
         ("Materials and scatter", "docs/materials.md"),
         ("Parameter studies", "docs/sweeps.md"),
         ("What is measured", "docs/measurements.md"),
