@@ -136,8 +136,8 @@ std::vector<Case> cases() {
                               "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, max_strain: 0.2 %}\n" +
                               end},
       {"law_that_softens", std::string(spheres) + softening +
-                               "protocol: {type: direct_tension, plate_velocity: 1 m/s, ramp_time: 5 us, grip: 2 mm, "
-                               "max_strain: 0.2 %}\n" +
+                               "protocol: {type: direct_tension, plate_velocity: 0.3 m/s, ramp_time: 5 us, grip: 2 mm, "
+                               "max_strain: 0.2 %, stop_stress_ratio: 0}\n" +
                                no_strain},
       {"smooth_joint", replaced(spheres, "material: {density: 2650 kg/m3}",
                                 "materials: {upper: {density: 2650 kg/m3}, lower: {density: 2650 kg/m3}}") +
