@@ -14,9 +14,7 @@ struct Linear {
   static void describe(Schema<Config>& s) {
     s.summary(
          "Linear springs and Coulomb friction of grains that touch; makes no bonds, may stand beside a law that does")
-        .source(
-            "Cundall, Strack (1979), Geotechnique 29, 47-65; Potyondy, Cundall (2004), Int. J. Rock Mech. Min. Sci. "
-            "41, 1329-1364")
+        .source("Cundall, Strack (1979), Geotechnique 29, 47-65; Itasca, PFC, linear contact model (effective modulus)")
         .details(
             "F_n = -k_n u with the overlap u from `free_length` on, never in tension; the shear spring grows by k_s "
             "du_s "
@@ -36,7 +34,7 @@ struct Linear {
         .above(0)
         .example("10 GPa")
         .doc("E of the bar that stands for a contact")
-        .source("E_c of the grains, Potyondy, Cundall (2004)");
+        .source("effective modulus, manual of Itasca's PFC");
     s.param("shear_stiffness", &Config::shear_stiffness)
         .unit("N/m")
         .at_least(0)
