@@ -145,7 +145,7 @@ TEST(HertzMindlin, ObliqueImpactsAreThePublishedOnes) {
 }
 
 TEST(HertzMindlin, ThePackingsOverlapsAreFreeOfForce) {
-  Several s(two_spheres(1e-3, 2e-3, -2e-5), {{"hertz_mindlin", grains(70e9, 0.25, 0.3, 0.9)}}, -1);
+  Several s(two_spheres(1e-3, 2e-3, -2e-5), {{"hertz_mindlin", grains(70e9, 0.25, 0.3, 0.9)}}, -0.5);
   s->forces();
   EXPECT_EQ(s->state().particles.force()[0], Vec3::Zero());
   for (const Index id : {0, 1}) s.lead(id, Vec3::Zero());

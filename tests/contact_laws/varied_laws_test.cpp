@@ -151,7 +151,7 @@ std::vector<LawCase> cases() {
         changed(beam, {{"bond_modulus", 33e9}, {"radius_multiplier", 0.7}, {"poisson_ratio", 0.3}})},
        {"tensile_strength", "compressive_strength", "shear_strength"}},
       {"flat_joint",
-       {joint, changed(joint, {{"tensile_strength", 90e6}}),
+       {joint, changed(joint, {{"tensile_strength", 400e6}, {"stiffness_ratio", 4.0}}),
         changed(joint, {{"bond_modulus", 33e9}, {"radius_multiplier", 0.7}, {"friction", 0.1}})},
        {"tensile_strength", "bond_modulus"}},
       {"soft_bond",
@@ -198,9 +198,14 @@ void compare(const LawCase& of, bool mixed, bool scatters, bool adds, std::size_
   Chunk before(columns);  // what the pairs were at the start
   fill(before, size, 7, of.nearer);
   laws[0]->initialise(all.pairs, all.columns.data());
-  for (int step = 0; step < 3; ++step) laws[0]->evaluate(all.pairs, all.columns.data(), all.answer, adds);
+  std::vector<bool> broke(size);
+  for (int step = 0; step < 3; ++step) {
+    laws[0]->evaluate(all.pairs, all.columns.data(), all.answer, adds);
+    for (std::size_t k = 0; k < size; ++k) broke[k] = broke[k] || all.answer.breaks[k] > 0;
+  }
 
-  std::size_t broken = 0, of_its_own = 0;
+  std::size_t of_its_own = 0;
+  const auto broken = std::size_t(std::count(broke.begin(), broke.end(), true));
   for (std::size_t k = 0; k < size; ++k) {
     Json config = of.of_kind[all.pairs.kind[k]];
     for (std::size_t s = 0; s < scattering.size(); ++s)
@@ -222,7 +227,6 @@ void compare(const LawCase& of, bool mixed, bool scatters, bool adds, std::size_
     EXPECT_TRUE(same(own)) << "pair " << k << " of kind " << all.pairs.kind[k];
     run(of.of_kind[0], first);
     of_its_own += !same(first);
-    broken += all.answer.breaks[k] > 0;
   }
   EXPECT_GT(of_its_own, size / 4) << "that it is not the first kind's law shows";
   if (laws[0]->makes_bonds()) {

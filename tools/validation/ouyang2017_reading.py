@@ -80,7 +80,7 @@ class Tally:
 
     def add(self, source, quantity, paper, digits, values):
         """`values`: one of each reading, None where it is not measured."""
-        cells = []
+        cells, told, off = [], [], False
         self.values[f"{source}: {quantity}"] = paper, digits, values
         for k, value in enumerate(values):
             if value is None or value != value:
@@ -92,8 +92,10 @@ class Tally:
             self.near[k] += near
             distance = f"{value / paper - 1:+.1%}" if paper else f"{value:+.3f}"
             cells += [f"{value:.{digits}f}", distance if near else f"**{distance}**"]
-            if k == 1 and not near:
-                self.off.append(f"{source}, {quantity}: {value:.{digits}f}, paper {paper:.{digits}f} ({distance})")
+            off |= k > 0 and not near
+            told.append(f"{READINGS[k].title} {value:.{digits}f} ({distance})")
+        if off:
+            self.off.append(f"{source}, {quantity}, paper {paper:.{digits}f}: " + "; ".join(told))
         self.rows.append([source, quantity, f"{paper:.{digits}f}", *cells])
 
     def write(self, report):
@@ -107,7 +109,7 @@ class Tally:
         report.table(["", *(r.title for r in READINGS)],
                      [[f"within {WITHIN:.0%}, of the measured"] + [f"{n} of {m}" for n, m in zip(self.near, self.measured)]])
         if self.off:
-            report.text("What stays off by more than a tenth in the inferred reading, with the bond's k_n in k_m:", "\n".join(f"- {line}" for line in self.off))
+            report.text("What stays off by more than a tenth in the inferred reading, one way or the other:", "\n".join(f"- {line}" for line in self.off))
 
     def fill(self, text):
         """Puts measured numbers into a text: `{{inferred | Table 3, means: Ec [GPa] | x}}` is over the paper's, with `%` the distance from

@@ -4,6 +4,8 @@
 /// equations, and why a spring in the middle of the beam is the whole beam.
 #include <numbers>
 
+#include "../../shared/bond_section.hpp"
+#include "../../shared/bond_turning.hpp"
 #include "breccia/contact_law.hpp"
 
 namespace breccia {
@@ -80,14 +82,12 @@ struct BeamBond {
   }
 
   BeamBond(const Config& c, const Assembly& a)
-      : modulus(c.bond_modulus),
+      : section(c.radius_multiplier, a),
+        modulus(c.bond_modulus),
         shear_modulus(c.shear_modulus ? *c.shear_modulus : 0.5 * c.bond_modulus / (1 + c.poisson_ratio.value_or(0))),
-        multiplier(c.radius_multiplier),
         tensile_strength(c.tensile_strength),
         compressive_strength(c.compressive_strength),
         shear_strength(c.shear_strength),
-        disc(a.dimension == 2 ? 0 : std::numbers::pi),
-        breadth(a.dimension == 2 ? 2 * a.thickness : 0),
         peak_of_shear(a.dimension == 2 ? 1.5 : 4.0 / 3.0) {
     softness = 12 * modulus / (c.shear_coefficient.value_or(a.dimension == 2 ? 5.0 / 6.0 : 0.9) * shear_modulus);
   }
@@ -105,10 +105,9 @@ struct BeamBond {
                  mz = c.shear_z + off * (c.turn_x * c.ny - c.turn_y * c.nx);
     const PlaneVector slid = follow_plane(c, s.shear_x, s.shear_y, s.shear_z);
     const double x = slid.x + mx, y = slid.y + my, z = slid.z + mz;
-    const PlaneVector bent = follow_plane(c, s.bending_x, s.bending_y, s.bending_z);
-    const double turned = c.turn_x * c.nx + c.turn_y * c.ny + c.turn_z * c.nz;
-    const double bx = bent.x + (c.turn_x - turned * c.nx), by = bent.y + (c.turn_y - turned * c.ny),
-                 bz = bent.z + (c.turn_z - turned * c.nz), twist = s.twist + turned;
+    const BondTurning turning = bond_turning(c, s);
+    const PlaneVector bent = turning.before;
+    const double bx = turning.now.x, by = turning.now.y, bz = turning.now.z, twist = turning.twist;
 
     // Stresses. Moments at the ends are those of the middle, and the shear force times half the length added or taken
     // away; the larger of the two is sought.
@@ -151,7 +150,8 @@ struct BeamBond {
     // it: half of them times the way. A spring loses half its force times where it was before the step.
     const double lost = b.normal * opened * (opened - c.normal_velocity * c.time_step) +
                         b.shear * (slid.x * x + slid.y * y + slid.z * z) +
-                        b.bending * (bent.x * bx + bent.y * by + bent.z * bz) + b.torsion * (twist - turned) * twist;
+                        b.bending * (bent.x * bx + bent.y * by + bent.z * bz) +
+                        b.torsion * turning.twist_before * twist;
     f.fracture_energy = broke ? 0.5 * lost : 0.0;
     return f;
   }
@@ -180,26 +180,24 @@ struct BeamBond {
     double inverse_area, rim_over_inertia, rim_over_polar;  // [1/m2], [1/m3], [1/m3]
   };
   BRECCIA_KERNEL Beam beam(const Contact& c) const {
-    const double radius = multiplier * (c.radius_i < c.radius_j ? c.radius_i : c.radius_j), square = radius * radius;
-    const double area = radius * (disc * radius + breadth),
-                 inertia = square * radius * (0.25 * disc * radius + breadth * (1.0 / 3)),
-                 polar = 0.5 * disc * square * square, inverse_length = 1 / c.rest_length, inverse_area = 1 / area;
+    const BondSection::Of at = section.between(c.radius_i, c.radius_j);
+    const double inertia = at.bending, inverse_length = 1 / c.rest_length, inverse_area = 1 / at.area;
     Beam b;
-    b.normal = modulus * area * inverse_length;
+    b.normal = modulus * at.area * inverse_length;
     b.bending = modulus * inertia * inverse_length;
-    b.torsion = shear_modulus * polar * inverse_length;
+    b.torsion = shear_modulus * at.torsion * inverse_length;
     // 12 E I/(L^3 (1 + Phi)) with Phi = 12 E I/(kappa G A L^2).
     const double slender = inverse_length * inverse_length;
     b.shear = 12 * b.bending * slender / (1 + softness * inertia * inverse_area * slender);
     b.inverse_area = inverse_area;
-    b.rim_over_inertia = radius / inertia;
-    b.rim_over_polar = disc > 0 ? radius / (disc > 0 ? polar : 1.0) : 0.0;
+    b.rim_over_inertia = at.radius / inertia;
+    b.rim_over_polar = section.twists() * at.radius / (at.torsion > 0 ? at.torsion : 1.0);
     return b;
   }
 
-  double modulus, shear_modulus, multiplier;                      // E, G [Pa]; lambda
+  BondSection section;
+  double modulus, shear_modulus;                                  // E, G [Pa]
   double tensile_strength, compressive_strength, shear_strength;  // [Pa]
-  double disc, breadth;                                           // pi, or 0 in a plane; 2 t there [m], else 0
   double peak_of_shear;                                           // largest over mean stress of a shear force
   double softness;                                                // 12 E/(kappa G)
 };

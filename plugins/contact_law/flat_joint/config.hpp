@@ -29,7 +29,7 @@ inline void check_shares(const Config& c, Issues& issues) {
 inline void describe(Schema<Config>& s) {
   s.summary(
        "Flat joint: an interface of elements that fail one by one and go on carrying pressure, friction and moments")
-      .source("Potyondy (2012), ISRM regional symposium ARMS7, Seoul; Potyondy (2018), Geomech. Geoeng.")
+      .source("Potyondy (2012), ISRM ARMS7, Seoul; Potyondy (2018), A flat-jointed bonded-particle model for rock")
       .details(
           "Two notional faces of radius R = lambda min(r_i, r_j) (discs: a line 2 R long) meet half-way. Each of their "
           "elements has the stress sigma = k_n g of the gap g at its centroid, faces being rigid, and a shear spring "

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// The law itself, for one layout of elements.
-/// Sources: Potyondy (2012), A flat-jointed bonded-particle material for hard rock, ISRM regional symposium ARMS7,
-/// Seoul; Potyondy (2018), Geomech. Geoeng. README.md has the equations and what is our own.
+/// Sources: Potyondy (2012), A flat-jointed bonded-particle material for hard rock, ISRM ARMS7, Seoul; Potyondy
+/// (2018), A flat-jointed bonded-particle model for rock. README.md has the equations and what is our own.
 #pragma once
 
 #include "config.hpp"

@@ -21,14 +21,10 @@ struct HertzMindlin {
             "Cummins, Cleary (2013), Powder Technology 233, 30-46")
         .details(
             "F_n = -4/3 E* sqrt(R*) u^(3/2) with the overlap u; the tangential force grows by K_s du_s, K_s = 8 G* "
-            "sqrt(R* "
-            "u), shrinks with K_s when the overlap does, and is limited to mu |F_n|. Dashpots c = 2 sqrt(5/6) beta "
-            "sqrt(S "
-            "m) along the normal (S = 2 E* sqrt(R* u)) and, while the contact sticks, across it (S = K_s); the pair "
-            "never "
-            "pulls, and beta is such that a normal impact then has the coefficient of restitution e. For spheres: "
-            "discs in "
-            "two dimensions have no such law.");
+            "sqrt(R* u), shrinks with K_s when the overlap does, and is limited to mu |F_n|. Dashpots c = 2 "
+            "sqrt(5/6) beta sqrt(S m) along the normal (S = 2 E* sqrt(R* u)) and, while the contact sticks, across "
+            "it (S = K_s); the pair never pulls, and beta is such that a normal impact then has the coefficient of "
+            "restitution e. For spheres: discs in two dimensions have no such law.");
     s.param("youngs_modulus", &Config::youngs_modulus).unit("Pa").above(0).example("70 GPa").doc("of the grains, E");
     s.param("poisson_ratio", &Config::poisson_ratio).above(-1).at_most(0.5).example("0.2").doc("of the grains, nu");
     s.param("friction", &Config::friction).at_least(0).example("0.5").doc("Coulomb coefficient, mu");

@@ -14,16 +14,12 @@ struct Linear {
   static void describe(Schema<Config>& s) {
     s.summary(
          "Linear springs and Coulomb friction of grains that touch; makes no bonds, may stand beside a law that does")
-        .source(
-            "Cundall, Strack (1979), Geotechnique 29, 47-65; Potyondy, Cundall (2004), Int. J. Rock Mech. Min. Sci. "
-            "41, 1329-1364")
+        .source("Cundall, Strack (1979), Geotechnique 29, 47-65; Itasca, PFC, linear contact model (effective modulus)")
         .details(
-            "F_n = -k_n u with the overlap u from `free_length` on, never in tension; the shear spring grows by k_s "
-            "du_s "
-            "and slides at mu |F_n|. k_n and k_s are given, or k_n = E A/(r_i + r_j) with A = pi r_min^2 (in two "
-            "dimensions 2 r_min t). Grains that the packing left overlapping are free of force where they are. It acts "
-            "on "
-            "every pair that is pressed, bonded by another law of the list or not.");
+            "F_n = -k_n u with the overlap u beyond what the packing had, never in tension; the shear spring grows "
+            "by k_s du_s and slides at mu |F_n|. k_n and k_s are given, or k_n = E A/(r_i + r_j) with A = pi "
+            "r_min^2 (in two dimensions 2 r_min t). It acts on every pair that is pressed, bonded by another law of "
+            "the list or not.");
     s.exactly_one_of({"normal_stiffness", "contact_modulus"});
     s.exactly_one_of({"shear_stiffness", "stiffness_ratio"});
     s.param("normal_stiffness", &Config::normal_stiffness)
@@ -36,7 +32,7 @@ struct Linear {
         .above(0)
         .example("10 GPa")
         .doc("E of the bar that stands for a contact")
-        .source("E_c of the grains, Potyondy, Cundall (2004)");
+        .source("effective modulus, manual of Itasca's PFC");
     s.param("shear_stiffness", &Config::shear_stiffness)
         .unit("N/m")
         .at_least(0)

@@ -4,6 +4,8 @@
 /// Source: Potyondy, Cundall (2004), Int. J. Rock Mech. Min. Sci. 41, 1329-1364, Eqs. 13-17; README.md has them.
 #include <numbers>
 
+#include "../../shared/bond_section.hpp"
+#include "../../shared/bond_turning.hpp"
 #include "breccia/contact_law.hpp"
 
 namespace breccia {
@@ -85,34 +87,31 @@ struct LinearParallelBond {
   }
 
   LinearParallelBond(const Config& c, const Assembly& a)
-      : modulus(c.bond_modulus.value_or(0)),
+      : section(c.radius_multiplier, a),
+        modulus(c.bond_modulus.value_or(0)),
         stiffness_per_area(c.normal_stiffness.value_or(0)),
         inverse_ratio(1 / c.stiffness_ratio),
         tensile_strength(c.tensile_strength),
         cohesion(c.cohesion),
         friction(std::tan(c.internal_friction_angle)),
-        multiplier(c.radius_multiplier),
-        contribution(c.moment_contribution),
-        disc(a.dimension == 2 ? 0 : std::numbers::pi),
-        breadth(a.dimension == 2 ? 2 * a.thickness : 0) {}
+        contribution(c.moment_contribution) {}
 
   BRECCIA_KERNEL State initial(const Contact&) const { return {0, 0, 0, 0, 0, 0, 0}; }
 
   BRECCIA_KERNEL ContactForce operator()(const Contact& c, State& s) const {
-    const Section at = section(c);
+    const Cement at = cement(c);
     const bool was = c.intact > 0.5, breakable = c.breakable > 0.5;
     const double opened = c.distance - c.rest_length;
     const PlaneVector slid = follow_plane(c, s.shear_x, s.shear_y, s.shear_z);
     const double x = slid.x + c.shear_x, y = slid.y + c.shear_y, z = slid.z + c.shear_z;
-    const PlaneVector bent = follow_plane(c, s.bending_x, s.bending_y, s.bending_z);
-    const double turned = c.turn_x * c.nx + c.turn_y * c.ny + c.turn_z * c.nz;
-    const double bx = bent.x + (c.turn_x - turned * c.nx), by = bent.y + (c.turn_y - turned * c.ny),
-                 bz = bent.z + (c.turn_z - turned * c.nz), twist = s.twist + turned;
+    const BondTurning turning = bond_turning(c, s);
+    const PlaneVector bent = turning.before;
+    const double bx = turning.now.x, by = turning.now.y, bz = turning.now.z, twist = turning.twist;
 
     // The springs at the rim: M R/I = k_n theta R, M_t R/J = k_s theta_t R.
     const double rim = contribution * at.radius, mean = at.normal * opened;
     const double pull = mean + rim * at.normal * std::sqrt(bx * bx + by * by + bz * bz);
-    const double shear = at.shear * (std::sqrt(x * x + y * y + z * z) + rim * at.twists * std::abs(twist));
+    const double shear = at.shear * (std::sqrt(x * x + y * y + z * z) + rim * section.twists() * std::abs(twist));
     const bool tension = breakable & (pull > tensile_strength);
     const bool sheared = breakable & !tension & (shear > cohesion - friction * mean);
     const bool broke = tension | sheared;
@@ -141,13 +140,13 @@ struct LinearParallelBond {
     // it: half of them times the way. A spring loses half its force times where it was before the step.
     const double lost = kn * opened * (opened - c.normal_velocity * c.time_step) +
                         ks * (slid.x * x + slid.y * y + slid.z * z) + km * (bent.x * bx + bent.y * by + bent.z * bz) +
-                        kt * (twist - turned) * twist;
+                        kt * turning.twist_before * twist;
     f.fracture_energy = broke ? 0.5 * lost : 0.0;
     return f;
   }
 
   BRECCIA_KERNEL double energy(const Contact& c, const State& s) const {
-    const Section at = section(c);
+    const Cement at = cement(c);
     const double opened = c.intact > 0.5 ? c.distance - c.rest_length : 0.0;
     const double shear2 = s.shear_x * s.shear_x + s.shear_y * s.shear_y + s.shear_z * s.shear_z;
     const double bending2 = s.bending_x * s.bending_x + s.bending_y * s.bending_y + s.bending_z * s.bending_z;
@@ -156,34 +155,26 @@ struct LinearParallelBond {
   }
 
   BRECCIA_KERNEL ContactStiffness stiffness(const Contact& c) const {
-    const Section at = section(c);
+    const Cement at = cement(c);
     const double hold = c.intact > 0.5 ? 1.0 : 0.0, normal = hold * at.normal, shear = hold * at.shear;
     return {normal * at.area, shear * at.area, normal * at.bending, shear * at.torsion};
   }
 
  private:
-  struct Section {
-    double radius, area, bending, torsion;  ///< R_b [m], A [m2], I and J [m4]
-    double normal, shear;                   ///< k_n, k_s [Pa/m]
-    double twists;                          ///< 0 in a plane, else 1
+  struct Cement : BondSection::Of {
+    double normal, shear;  ///< k_n, k_s [Pa/m]
   };
-  BRECCIA_KERNEL Section section(const Contact& c) const {
-    const double radius = multiplier * (c.radius_i < c.radius_j ? c.radius_i : c.radius_j), square = radius * radius;
-    Section at;
-    at.radius = radius;
-    at.area = radius * (disc * radius + breadth);
-    at.bending = square * radius * (0.25 * disc * radius + breadth * (1.0 / 3));
-    at.torsion = 0.5 * disc * square * square;
+  BRECCIA_KERNEL Cement cement(const Contact& c) const {
+    Cement at{section.between(c.radius_i, c.radius_j), 0, 0};
     at.normal = stiffness_per_area + modulus / (c.radius_i + c.radius_j);
     at.shear = at.normal * inverse_ratio;
-    at.twists = disc > 0 ? 1.0 : 0.0;
     return at;
   }
 
+  BondSection section;
   double modulus, stiffness_per_area, inverse_ratio;  // E [Pa] or k_n [Pa/m]: the other is 0; k_s/k_n
   double tensile_strength, cohesion, friction;        // [Pa], [Pa], tan(phi)
-  double multiplier, contribution;                    // lambda, beta
-  double disc, breadth;                               // pi, or 0 in a plane; 2 t there [m], else 0
+  double contribution;                                // beta
 };
 
 }  // namespace breccia

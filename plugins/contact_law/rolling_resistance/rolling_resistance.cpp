@@ -17,12 +17,11 @@ struct RollingResistance {
             "Iwashita, Oda (1998), J. Eng. Mech. 124, 285-292; Ai, Chen, Rotter, Ooi (2011), Powder Technology 206, "
             "269-282, type C")
         .details(
-            "Rolling: a spring M = k theta about the relative rotation in the contact plane that slides at mu_r R |F|, "
-            "with the push F of the laws before it and R = r_i r_j/(r_i + r_j). Twisting: the same about the normal "
-            "with mu_t. k = E_r R^3 (in two dimensions E_r R^2 t). While rolling does not slide a dashpot resists it, "
-            "too, "
-            "with c = 2 eta sqrt(I k), I the reduced moment of inertia of the two about the contact point. Bonds in "
-            "tension and particles apart feel none of it.");
+            "Rolling: a spring M = k theta about the relative rotation in the contact plane that slides at mu_r R "
+            "|F|, with the push F of the laws before it and R = r_i r_j/(r_i + r_j). Twisting: the same about the "
+            "normal with mu_t. k = E_r R^3 (in two dimensions E_r R^2 t). While rolling does not slide a dashpot "
+            "resists it, too, with c = 2 eta sqrt(I k), I the reduced moment of inertia of the two about the "
+            "contact point. Bonds in tension and particles apart feel none of it.");
     s.param("rolling_friction", &Config::rolling_friction)
         .at_least(0)
         .example("0.1")

@@ -4,6 +4,7 @@
 /// (2015), Comput. Geotech. 65, 147-163; Potyondy, Cundall (2004), Eqs. 13-17 (stresses at the rim). README.md has the
 /// equations.
 #include "../../shared/bond_section.hpp"
+#include "../../shared/bond_turning.hpp"
 #include "config.hpp"
 
 namespace breccia::soft_bond {
@@ -57,10 +58,9 @@ struct Law {
     const double opened = c.distance - c.rest_length, opened_before = opened - c.normal_velocity * c.time_step;
     const PlaneVector slid = follow_plane(c, s.shear_x, s.shear_y, s.shear_z);
     const double x = slid.x + c.shear_x, y = slid.y + c.shear_y, z = slid.z + c.shear_z;
-    const PlaneVector bent = follow_plane(c, s.bending_x, s.bending_y, s.bending_z);
-    const double turned = c.turn_x * c.nx + c.turn_y * c.ny + c.turn_z * c.nz;
-    const double bx = bent.x + (c.turn_x - turned * c.nx), by = bent.y + (c.turn_y - turned * c.ny),
-                 bz = bent.z + (c.turn_z - turned * c.nz), twist = s.twist + turned;
+    const BondTurning turning = bond_turning(c, s);
+    const PlaneVector bent = turning.before;
+    const double bx = turning.now.x, by = turning.now.y, bz = turning.now.z, twist = turning.twist;
 
     // The opening at the rim, over that at the strength, says how far the bond has softened.
     const double rim = contribution * at.radius, softening = softening_of(normal);
@@ -109,7 +109,7 @@ struct Law {
     const double pulled = (opened > 0 ? opened : 0.0) * (opened_before > 0 ? opened_before : 0.0);
     const double cut = holds ? (left_before - left) * along : (passed - keep) * along + keep * (1 - keep) * size * size;
     const double fractured =
-        lost * (kn * pulled + km * (bent.x * bx + bent.y * by + bent.z * bz) + kt * (twist - turned) * twist) +
+        lost * (kn * pulled + km * (bent.x * bx + bent.y * by + bent.z * bz) + kt * turning.twist_before * twist) +
         ks * cut;
     f.fracture_energy = was ? 0.5 * fractured : 0.0;
     f.friction_work = was ? 0.0 : slip.work;

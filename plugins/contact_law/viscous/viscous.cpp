@@ -32,16 +32,13 @@ struct Viscous {
     s.summary("Dashpots along and across the normal; adds to the laws before it")
         .source("Cundall, Strack (1979), Geotechnique 29, 47-65")
         .details(
-            "f_n = c_n v_n and f_s = c_s v_s with the velocities of the second particle relative to the first at the "
-            "contact point. c is given, or c = 2 beta sqrt(k m), m the reduced mass and k the stiffness of the law "
-            "with "
-            "the springs: k = E (r_i + r_j), in two dimensions E t, as `elastic_brittle` has it (`stiffness_modulus`), "
-            "k = "
-            "E A/(r_i + r_j) as `linear` has it (`contact_modulus`), or the same for all contacts "
-            "(`normal_stiffness`). "
-            "Acts on intact bonds and on particles that are pressed together by the laws before it, where it cannot "
-            "turn "
-            "their push into a pull. Forces are those of the velocity half a step ago.");
+            "f_n = c_n v_n and f_s = c_s v_s with the velocities of the second particle relative to the first at "
+            "the contact point. c is given, or c = 2 beta sqrt(k m), m the reduced mass and k the stiffness of the "
+            "law with the springs: k = E (r_i + r_j), in two dimensions E t, as `elastic_brittle` has it "
+            "(`stiffness_modulus`), k = E A/(r_i + r_j) as `linear` has it (`contact_modulus`), or the same for all "
+            "contacts (`normal_stiffness`). Acts on intact bonds and on particles that are pressed together by the "
+            "laws before it, where it cannot turn their push into a pull. Forces are those of the velocity half a "
+            "step ago.");
     s.exactly_one_of({"normal_damping", "normal_ratio"});
     s.at_most_one_of({"shear_ratio", "shear_damping"});
     s.at_most_one_of({"stiffness_modulus", "contact_modulus", "normal_stiffness"});
