@@ -201,7 +201,7 @@ class LawCheck {
     Json config = choice_.config;
     for (const ParamSpec& p : registry_.documentation(ContactLaw::kind, choice_.type).root.members) {
       const bool direction = p.name.ends_with("normal") || p.name.ends_with("direction");
-      if (!direction || p.max_items != 3 || !config.contains(p.name) || !config[p.name].is_array()) continue;
+      if (!direction || !config.contains(p.name) || !config[p.name].is_array() || config[p.name].size() != 3) continue;
       const auto along = config[p.name].get<std::array<double, 3>>();
       const Vec3 there = turn * Vec3(along[0], along[1], along[2]);
       config[p.name] = {there.x(), there.y(), there.z()};

@@ -78,6 +78,7 @@ inline void describe(Schema<Config>& s) {
       .doc("pairs lie across a plane joint, and forces act along its normal and in its plane");
   s.param("joint_normal", &Config::joint_normal)
       .unit("1")
+      .items(3, 3)
       .example("[0, 0, 1]")
       .doc("of the joint, in space; length and sign do not matter");
   s.param("dilation_angle", &Config::dilation_angle)
