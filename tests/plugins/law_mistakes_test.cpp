@@ -51,6 +51,17 @@ TEST(LawCheck, ShippedLawsHold) {
   }
 }
 
+/// A joint lies in space as it is told to: the pair is turned with it, the joint's own direction, too.
+TEST(LawCheck, TurnsDirectionsWithThePair) {
+  for (const char* normal : {"1, 0, 0", "1, 2, -3"}) {
+    const Output out = check("jcfpm", std::string("--set smooth_joint=true --set 'dilation_angle=10 deg' --set "
+                                                  "'joint_normal=[") +
+                                          normal + "]'");
+    EXPECT_EQ(out.code, 0) << out.text;
+    EXPECT_TRUE(has(out.text, "ok  turned in space, contact without a bond")) << out.text;
+  }
+}
+
 TEST(LawCheck, FindsEachMistakeAndSaysWhere) {
   const std::string plugin = "--plugin " BRECCIA_FIXTURES "/mistaken.so --set mistake=";
   // Without any other, its loop is one that no compiler vectorises: it may count its calls.
