@@ -110,7 +110,7 @@ std::vector<Case> cases() {
                               "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, max_strain: 0.3 %}\n" +
                               pictures + end},
       {"law_of_elements", std::string(spheres) + joints +
-                              "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, max_strain: 0.2 %}\n" +
+                              "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, max_strain: 0.8 %}\n" +
                               end},
       {"triaxial_compression", std::string(spheres) + strong +
                                    "protocol: {type: triaxial_compression, platen_velocity: 1 m/s, stages: "
