@@ -133,7 +133,7 @@ std::vector<Case> cases() {
                               "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, max_strain: 0.3 %}\n" +
                               pictures + end},
       {"law_of_elements", std::string(spheres) + joints +
-                              "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, max_strain: 0.2 %}\n" +
+                              "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, max_strain: 0.8 %}\n" +
                               end},
       {"law_that_softens", std::string(spheres) + softening +
                                "protocol: {type: direct_tension, plate_velocity: 0.3 m/s, ramp_time: 5 us, grip: 2 mm, "

@@ -184,8 +184,7 @@ TEST(SoftBond, RefusesAFractureEnergyThatWouldSnapBack) {
   const auto says = [&](const Json& changes) -> std::string {
     const Json config = soft_bond(changes);
     Registry registry;
-    for (const Issue& issue : registry.check("contact_law", "soft_bond", config))
-      return issue.path + ": " + issue.text;
+    for (const Issue& issue : registry.check("contact_law", "soft_bond", config)) return issue.path + ": " + issue.text;
     try {
       c.pair(changes);
     } catch (const UserError& e) { return e.what(); }

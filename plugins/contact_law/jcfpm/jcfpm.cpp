@@ -66,7 +66,8 @@ struct Law {
     const double towards = c.nx * joint_x + c.ny * joint_y + c.nz * joint_z;
     const double sum = c.touching(), beside2 = c.distance * c.distance * (1 - towards * towards);
     const double known = s.side * s.side, side = s.side + (1 - known) * (towards < 0 ? -1.0 : 1.0);
-    const double meets = c.distance < c.rest_length ? smooth * (1 - known) : 0.0;
+    // Grains side by side in the joint's plane are on no sides of it.
+    const double meets = (c.distance < c.rest_length) & (towards * towards > 1e-6) ? smooth * (1 - known) : 0.0;
     const double may_leave = was ? 0.0 : smooth * known;
     const double leaves = (beside2 >= sum * sum) | (s.opening >= sum) ? may_leave : 0.0;
     const double touches = plain + smooth * known - leaves;

@@ -14,10 +14,12 @@ BRECCIA_KERNEL PlaneVector motion_of_contact(const Contact& c) {
   const double ux = c.shear_x - half * (c.ny * c.shear_z - c.nz * c.shear_y),
                uy = c.shear_y - half * (c.nz * c.shear_x - c.nx * c.shear_z),
                uz = c.shear_z - half * (c.nx * c.shear_y - c.ny * c.shear_x);
-  const double unit = c.nx * c.mid_x + c.ny * c.mid_y + c.nz * c.mid_z;  // cosine of half the step's turn
+  // One less the cosine of half the step's turn, from the difference: of the cosine nothing but rounding would be left.
+  const double dx = c.nx - c.mid_x, dy = c.ny - c.mid_y, dz = c.nz - c.mid_z;
+  const double turned = 0.5 * (dx * dx + dy * dy + dz * dz), unit = 1 - turned;
   const double lift = (ux * c.mid_x + uy * c.mid_y + uz * c.mid_z) / unit;
   // The distance grows faster at the end of a step than in its middle by what the line of centres has turned.
-  const double along = unit * (c.normal_velocity * c.time_step - 4 * (1 - unit) * c.distance);
+  const double along = unit * (c.normal_velocity * c.time_step - 4 * turned * c.distance);
   return {ux - lift * c.nx + along * c.mid_x, uy - lift * c.ny + along * c.mid_y, uz - lift * c.nz + along * c.mid_z};
 }
 
