@@ -2,7 +2,7 @@
 /// Stiffness of a contact from a modulus: that of a bar between the centres, as broad as the smaller particle, or of
 /// the two grains one behind the other, each a bar as broad as it is. Sources: the effective modulus of the linear
 /// contact model of Itasca's PFC (method `deformability` of its manual); Potyondy, Cundall (2004), Int. J. Rock Mech.
-/// Min. Sci. 41, 1329-1364, section 3.1 (k_n of a grain).
+/// Min. Sci. 41, 1329-1364 (k_n of a grain; recalled).
 #pragma once
 
 #include <numbers>

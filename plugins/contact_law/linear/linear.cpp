@@ -44,7 +44,7 @@ struct Linear {
             "grains", ModulusOf::grains,
             "the two grains in series, each k_n = 4 E r, of discs 2 E t: k_n = 4 E r_i r_j/(r_i + r_j), of discs E t")
         .doc("what the contact_modulus E is that of")
-        .source("contact: PFC since version 5; grains: Potyondy, Cundall (2004), section 3.1")
+        .source("contact: PFC since version 5; grains: Potyondy, Cundall (2004), recalled")
         .fallback("contact");
     s.param("shear_stiffness", &Config::shear_stiffness)
         .unit("N/m")
