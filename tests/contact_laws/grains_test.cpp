@@ -46,6 +46,27 @@ TEST(Linear, PressesAndSlidesAsItsBarDoes) {
     }
 }
 
+/// The two grains in series, each 4 E r, of discs 2 E t (Potyondy, Cundall 2004).
+TEST(Linear, TakesTheModulusOfItsGrains) {
+  for (const int dimension : {2, 3}) {
+    PairSetup setup;
+    setup.bonded = false;
+    setup.dimension = dimension;
+    setup.thickness = 0.02;
+    setup.radius_i = 1e-3;
+    setup.radius_j = 1.5e-3;
+    Json config = by_modulus(0.4);
+    config["modulus_of"] = "grains";
+    HeldPair p(make_law(config, "linear"), setup);
+    const auto grain = [&](double radius) { return dimension == 2 ? 2 * 20e9 * 0.02 : 4 * 20e9 * radius; };
+    const double kn = 1 / (1 / grain(1e-3) + 1 / grain(1.5e-3)), u = 1e-6;
+    p.lead(-u, 0);
+    EXPECT_NEAR(p.normal_force() / (-kn * u), 1, 1e-9);
+    p.lead(-u, 0.5e-6);
+    EXPECT_NEAR(p.shear_force() / (kn / 2.5 * 0.5e-6), 1, 1e-6);
+  }
+}
+
 /// Before a law that bonds: it adds to the push of a bond that is pressed, and is nothing where that is pulled.
 TEST(Linear, ActsBesideABond) {
   const Several::Laws both = {

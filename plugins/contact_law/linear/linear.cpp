@@ -8,6 +8,7 @@ namespace breccia {
 struct Linear {
   struct Config {
     std::optional<double> normal_stiffness, contact_modulus, shear_stiffness, stiffness_ratio;
+    ModulusOf modulus_of;
     double friction;
   };
 
@@ -32,7 +33,15 @@ struct Linear {
         .above(0)
         .example("10 GPa")
         .doc("E of the bar that stands for a contact")
-        .source("effective modulus, manual of Itasca's PFC");
+        .source("effective modulus, manual of Itasca's PFC; E_c of the grains, Potyondy, Cundall (2004)");
+    s.param("modulus_of", &Config::modulus_of)
+        .choice("contact", ModulusOf::contact, "one bar between the centres: A = pi r_min^2, of discs 2 r_min t")
+        .choice(
+            "grains", ModulusOf::grains,
+            "the two grains in series, each k_n = 4 E r, of discs 2 E t: k_n = 4 E r_i r_j/(r_i + r_j), of discs E t")
+        .doc("what the contact_modulus E is that of")
+        .source("contact: PFC since version 5; grains: Potyondy, Cundall (2004), recalled")
+        .fallback("contact");
     s.param("shear_stiffness", &Config::shear_stiffness)
         .unit("N/m")
         .at_least(0)
@@ -54,7 +63,7 @@ struct Linear {
   static constexpr bool makes_bonds = false, respects_protection = true;
 
   Linear(const Config& c, const Assembly& a)
-      : normal_stiffness(c.contact_modulus, c.normal_stiffness, a),
+      : normal_stiffness(c.contact_modulus, c.normal_stiffness, a, c.modulus_of),
         own_shear_stiffness(c.shear_stiffness.value_or(0)),
         inverse_ratio(c.stiffness_ratio ? 1 / *c.stiffness_ratio : 0),
         friction(c.friction) {}
