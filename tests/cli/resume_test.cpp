@@ -142,7 +142,7 @@ std::vector<Case> cases() {
       {"smooth_joint", replaced(spheres, "material: {density: 2650 kg/m3}",
                                 "materials: {upper: {density: 2650 kg/m3}, lower: {density: 2650 kg/m3}}") +
                            jointed +
-                           "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, max_strain: 0.3 %}\n" + end},
+                           "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, max_strain: 0.6 %}\n" + end},
       {"triaxial_compression", std::string(spheres) + strong +
                                    "protocol: {type: triaxial_compression, platen_velocity: 1 m/s, stages: "
                                    "[{confining_pressure: 0.5 MPa}, {axial_strain: 0.2 %}, {hold_time: 5 us}, "
