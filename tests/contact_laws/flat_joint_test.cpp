@@ -113,7 +113,9 @@ TEST(FlatJoint, BentItBreaksElementByElement) {
 }
 
 TEST(FlatJoint, ItsStrengthIsThatOfItsArea) {
-  for (const auto& [dimension, elements] : {std::pair(2, "line_4"), {3, "disc_1x4"}, {3, "disc_2x4"}}) {
+  for (const auto& layout : {std::pair(2, "line_4"), {3, "disc_1x4"}, {3, "disc_2x4"}}) {
+    const int dimension = layout.first;
+    const char* const elements = layout.second;
     const double a = area(dimension), phi = std::tan(0.5);
     const auto peak = [&](double normal, bool shears, BondState mode) {
       HeldPair pair(joint(elements), setup(dimension));
