@@ -5,8 +5,7 @@
 #include <numbers>
 
 #include "../../shared/bond_section.hpp"
-#include "../../shared/bond_turning.hpp"
-#include "breccia/contact_law.hpp"
+#include "../../shared/spring_bond.hpp"
 
 namespace breccia {
 
@@ -64,16 +63,8 @@ struct BeamBond {
         .doc("largest shear stress in the beam, torsion included");
   }
 
-  struct State {
-    double shear_x, shear_y, shear_z, bending_x, bending_y, bending_z, twist;
-  };
-  static constexpr std::array columns{StateColumn<State>{&State::shear_x, "beam_shear_x", "m"},
-                                      StateColumn<State>{&State::shear_y, "beam_shear_y", "m"},
-                                      StateColumn<State>{&State::shear_z, "beam_shear_z", "m"},
-                                      StateColumn<State>{&State::bending_x, "beam_bending_x", "rad"},
-                                      StateColumn<State>{&State::bending_y, "beam_bending_y", "rad"},
-                                      StateColumn<State>{&State::bending_z, "beam_bending_z", "rad"},
-                                      StateColumn<State>{&State::twist, "beam_twist", "rad"}};
+  using State = SpringBond;
+  static constexpr auto columns = spring_bond_columns;
   static constexpr bool has_moments = true, respects_protection = true;
   static constexpr auto per_bond() {
     return std::array{PerBond<BeamBond>{"tensile_strength", &BeamBond::tensile_strength},
@@ -96,99 +87,71 @@ struct BeamBond {
 
   BRECCIA_KERNEL ContactForce operator()(const Contact& c, State& s) const {
     const Beam b = beam(c);
+    const ContactStiffness& k = b.springs;
     const bool was = c.intact > 0.5, breakable = c.breakable > 0.5;
-    const double opened = c.distance - c.rest_length;
     // The motion across at the middle of the beam, which is `off` from the contact point toward j.
     const double off = 0.5 * (c.radius_j - c.radius_i);
-    const double mx = c.shear_x + off * (c.turn_y * c.nz - c.turn_z * c.ny),
-                 my = c.shear_y + off * (c.turn_z * c.nx - c.turn_x * c.nz),
-                 mz = c.shear_z + off * (c.turn_x * c.ny - c.turn_y * c.nx);
-    const PlaneVector slid = follow_plane(c, s.shear_x, s.shear_y, s.shear_z);
-    const double x = slid.x + mx, y = slid.y + my, z = slid.z + mz;
-    const BondTurning turning = bond_turning(c, s);
-    const PlaneVector bent = turning.before;
-    const double bx = turning.now.x, by = turning.now.y, bz = turning.now.z, twist = turning.twist;
+    const SpringMotion m = spring_motion(
+        c, s,
+        {c.shear_x + off * (c.turn_y * c.nz - c.turn_z * c.ny), c.shear_y + off * (c.turn_z * c.nx - c.turn_x * c.nz),
+         c.shear_z + off * (c.turn_x * c.ny - c.turn_y * c.nx)});
 
     // Stresses. Moments at the ends are those of the middle, and the shear force times half the length added or taken
     // away; the larger of the two is sought.
-    const double vx = b.shear * x, vy = b.shear * y, vz = b.shear * z, across2 = vx * vx + vy * vy + vz * vz;
-    const double qx = b.bending * bx, qy = b.bending * by, qz = b.bending * bz, half = 0.5 * c.rest_length;
+    const double vx = k.shear * m.across.x, vy = k.shear * m.across.y, vz = k.shear * m.across.z,
+                 across2 = vx * vx + vy * vy + vz * vz;
+    const PlaneVector& bent = m.turning.now;
+    const double qx = k.bending * bent.x, qy = k.bending * bent.y, qz = k.bending * bent.z, half = 0.5 * c.rest_length;
     const double both = qx * (c.ny * vz - c.nz * vy) + qy * (c.nz * vx - c.nx * vz) + qz * (c.nx * vy - c.ny * vx);
     const double most = std::sqrt(qx * qx + qy * qy + qz * qz + half * (half * across2 + 2 * std::abs(both)));
-    const double mean = b.normal * opened * b.inverse_area, rim = most * b.rim_over_inertia;
+    const double mean = k.normal * m.opened * b.inverse_area, rim = most * b.rim_over_inertia;
     const double shear =
-        peak_of_shear * std::sqrt(across2) * b.inverse_area + b.torsion * std::abs(twist) * b.rim_over_polar;
+        peak_of_shear * std::sqrt(across2) * b.inverse_area + k.torsion * std::abs(m.turning.twist) * b.rim_over_polar;
     const bool tension = breakable & (rim + mean > tensile_strength);
     const bool crushed = breakable & !tension & (rim - mean > compressive_strength);
     const bool sheared = breakable & !tension & !crushed & (shear > shear_strength);
     const bool broke = tension | crushed | sheared;
 
-    const double hold = was & !broke ? 1.0 : 0.0;
-    s.shear_x = hold * x;
-    s.shear_y = hold * y;
-    s.shear_z = hold * z;
-    s.bending_x = hold * bx;
-    s.bending_y = hold * by;
-    s.bending_z = hold * bz;
-    s.twist = hold * twist;
-
-    ContactForce f;
-    f.normal = hold * b.normal * opened;
-    f.shear_x = hold * vx;
-    f.shear_y = hold * vy;
-    f.shear_z = hold * vz;
+    ContactForce f = spring_force(c, k, m, was & !broke ? 1.0 : 0.0, s);
     // The shear force acts in the middle of the beam and not at the contact point: a couple makes up for that.
-    const double twisting = b.torsion * s.twist;
-    f.moment_x = b.bending * s.bending_x + twisting * c.nx + off * (c.ny * f.shear_z - c.nz * f.shear_y);
-    f.moment_y = b.bending * s.bending_y + twisting * c.ny + off * (c.nz * f.shear_x - c.nx * f.shear_z);
-    f.moment_z = b.bending * s.bending_z + twisting * c.nz + off * (c.nx * f.shear_y - c.ny * f.shear_x);
+    f.moment_x += off * (c.ny * f.shear_z - c.nz * f.shear_y);
+    f.moment_y += off * (c.nz * f.shear_x - c.nx * f.shear_z);
+    f.moment_z += off * (c.nx * f.shear_y - c.ny * f.shear_x);
     f.breaks = tension   ? double(BondState::broken_tension)
                : crushed ? double(BondState::broken_combined)
                : sheared ? double(BondState::broken_shear)
                          : 0.0;
-    // What the bond stored, less the work that its force and moment did not do in this step any more, as leapfrog has
-    // it: half of them times the way. A spring loses half its force times where it was before the step.
-    const double lost = b.normal * opened * (opened - c.normal_velocity * c.time_step) +
-                        b.shear * (slid.x * x + slid.y * y + slid.z * z) +
-                        b.bending * (bent.x * bx + bent.y * by + bent.z * bz) +
-                        b.torsion * turning.twist_before * twist;
-    f.fracture_energy = broke ? 0.5 * lost : 0.0;
+    f.fracture_energy = broke ? spring_loss(k, m) : 0.0;
     return f;
   }
 
-  BRECCIA_KERNEL double energy(const Contact& c, const State& s) const {
-    const Beam b = beam(c);
-    const double opened = c.intact > 0.5 ? c.distance - c.rest_length : 0.0;
-    const double shear2 = s.shear_x * s.shear_x + s.shear_y * s.shear_y + s.shear_z * s.shear_z;
-    const double bending2 = s.bending_x * s.bending_x + s.bending_y * s.bending_y + s.bending_z * s.bending_z;
-    return 0.5 * (b.normal * opened * opened + b.shear * shear2 + b.bending * bending2 + b.torsion * s.twist * s.twist);
-  }
+  BRECCIA_KERNEL double energy(const Contact& c, const State& s) const { return spring_energy(c, beam(c).springs, s); }
 
   /// Where the sizes differ, shear and rotation go together: k (u + e theta)^2 <= k (1 + s) u^2 + k (1 + 1/s) (e
   /// theta)^2 for any s, by which they are taken apart.
   BRECCIA_KERNEL ContactStiffness stiffness(const Contact& c) const {
-    const Beam b = beam(c);
+    const ContactStiffness k = beam(c).springs;
     const double hold = c.intact > 0.5 ? 1.0 : 0.0, off = 0.5 * std::abs(c.radius_j - c.radius_i),
                  half = 0.5 * c.rest_length;
-    return {hold * b.normal, hold * b.shear * (1 + off / half), hold * (b.bending + off * (off + half) * b.shear),
-            hold * b.torsion};
+    return {hold * k.normal, hold * k.shear * (1 + off / half), hold * (k.bending + off * (off + half) * k.shear),
+            hold * k.torsion};
   }
 
  private:
   struct Beam {
-    double normal, shear, bending, torsion;  ///< E A/L [N/m], of the middle [N/m], E I/L, G J/L [N m/rad]
+    ContactStiffness springs;  ///< E A/L [N/m], of the middle [N/m], E I/L, G J/L [N m/rad]
     double inverse_area, rim_over_inertia, rim_over_polar;  // [1/m2], [1/m3], [1/m3]
   };
   BRECCIA_KERNEL Beam beam(const Contact& c) const {
     const BondSection::Of at = section.between(c.radius_i, c.radius_j);
     const double inertia = at.bending, inverse_length = 1 / c.rest_length, inverse_area = 1 / at.area;
     Beam b;
-    b.normal = modulus * at.area * inverse_length;
-    b.bending = modulus * inertia * inverse_length;
-    b.torsion = shear_modulus * at.torsion * inverse_length;
+    b.springs.normal = modulus * at.area * inverse_length;
+    b.springs.bending = modulus * inertia * inverse_length;
+    b.springs.torsion = shear_modulus * at.torsion * inverse_length;
     // 12 E I/(L^3 (1 + Phi)) with Phi = 12 E I/(kappa G A L^2).
     const double slender = inverse_length * inverse_length;
-    b.shear = 12 * b.bending * slender / (1 + softness * inertia * inverse_area * slender);
+    b.springs.shear = 12 * b.springs.bending * slender / (1 + softness * inertia * inverse_area * slender);
     b.inverse_area = inverse_area;
     b.rim_over_inertia = at.radius / inertia;
     b.rim_over_polar = section.twists() * at.radius / (at.torsion > 0 ? at.torsion : 1.0);

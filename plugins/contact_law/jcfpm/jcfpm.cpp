@@ -2,6 +2,7 @@
 /// Brittle bonds with a Mohr-Coulomb limit in shear and friction afterwards, and smooth joints.
 /// Sources: Scholtes, Donze (2012), Int. J. Rock Mech. Min. Sci. 52, 18-30; (2013), J. Mech. Phys. Solids 61, 352-369;
 /// Mas Ivars et al. (2011), Int. J. Rock Mech. Min. Sci. 48, 219-244 (smooth joint). README.md has the equations.
+#include "../../shared/bond_section.hpp"
 #include "config.hpp"
 #include "motion.hpp"
 
@@ -39,8 +40,7 @@ struct Law {
         friction(c.friction),
         dilation(std::tan(c.dilation_angle)),
         smooth(c.smooth_joint ? 1 : 0),
-        disc(a.dimension == 2 ? 0 : std::numbers::pi),
-        breadth(a.dimension == 2 ? 2 * a.thickness : 0) {
+        section(1, a) {
     if (!c.smooth_joint) return;
     const Vec3 normal = c.joint_normal->normalized();
     if (a.dimension == 2 && std::abs(normal.z()) > 1e-6)
@@ -141,10 +141,7 @@ struct Law {
   }
 
  private:
-  BRECCIA_KERNEL double strength_area(const Contact& c) const {
-    const double smaller = c.radius_i < c.radius_j ? c.radius_i : c.radius_j;
-    return smaller * (disc * smaller + breadth);
-  }
+  BRECCIA_KERNEL double strength_area(const Contact& c) const { return section.between(c.radius_i, c.radius_j).area; }
   BRECCIA_KERNEL double normal_stiffness(const Contact& c, double area) const {
     const double harmonic = 2 * c.radius_i * c.radius_j / (c.radius_i + c.radius_j);
     return stiffness_per_area * area + modulus * harmonic + breadth_modulus;
@@ -157,7 +154,7 @@ struct Law {
   double tensile_strength, cohesion, internal_friction;  // sigma_t, c [Pa], tan(phi)
   double friction, dilation;                             // mu, tan(psi)
   double smooth, joint_x = 0, joint_y = 0, joint_z = 0;  // 1 or 0; unit normal
-  double disc, breadth;                                  // pi, or 0 in a plane; 2 t there [m], else 0
+  BondSection section;                                   // as broad as the smaller particle
 };
 
 }  // namespace breccia::jcfpm
