@@ -18,12 +18,11 @@ class LawCheck {
       : registry_(registry), choice_(choice), user_(user) {
     try {
       law_ = make(choice.config);
-    } catch (const UserError&) {
+    } catch (const UserError& of_spheres) {
       dimension_ = 2;
       try {
         law_ = make(choice.config);
-      } catch (const UserError&) { dimension_ = 3; }
-      if (!law_) law_ = make(choice.config);  // what it says of spheres
+      } catch (const UserError&) { throw of_spheres; }
     }
     const ContactStiffness k = LawRig(*law_, {}, 1e-9).stiffness();
     const double mass = 1e-5,

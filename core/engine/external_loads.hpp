@@ -2,7 +2,6 @@
 /// What acts on particles besides other particles: the protocol's forces and torques and those of walls, in one sum.
 #pragma once
 
-#include <algorithm>
 #include <vector>
 
 #include "engine/archive_by_id.hpp"
@@ -29,16 +28,14 @@ class ExternalLoads {
     }
     for (const WallTouch& t : s.wall_touches) row(t.particle);
   }
-  /// The protocol's force and torque on a particle were changed by so much [N], [N m].
-  void change(Index particle, const Vec3& force, const Vec3& torque) {
+  /// Of a wall that is near; or by how much what the protocol applies was changed [N], [N m].
+  void add(Index particle, const Vec3& force, const Vec3& torque) {
     Load& load = row(particle);
     load.force += force;
     load.torque += torque;
   }
   /// Before the walls' forces of a step, for each particle that is near one.
   void restart(Index particle, const Particles& p) { row(particle) = of(p, particle); }
-  /// Of a wall that is near, since `reset`.
-  void add(Index particle, const Vec3& force, const Vec3& torque) { change(particle, force, torque); }
   /// Of the particles of the group that `particle` is in, from its first on; null when there are none.
   const Load* of_group(Index particle) const {
     const Index begin = begin_[particle / group];

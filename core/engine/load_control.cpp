@@ -163,15 +163,14 @@ void Simulation::release(Index a, std::uint8_t mask) {
 
 void Simulation::set_applied_force(Index a, const Vec3& force, const Vec3& torque, const Mat3& moment) {
   Particles& p = state_.particles;
-  const auto set = [&](std::vector<Vec3>& of, const Vec3& value) -> Vec3 {
-    if (of.empty() && value.isZero(0)) return Vec3::Zero();
-    of.resize(p.size(), Vec3::Zero());
-    return value - std::exchange(of[a], value);
+  /// Returns what it was before.
+  const auto set = [&]<class T>(std::vector<T>& of, const T& value) -> T {
+    if (of.empty() && value.isZero(0)) return value;
+    of.resize(p.size(), T::Zero());
+    return std::exchange(of[a], value);
   };
-  const Vec3 more = set(p.applied_force, force);
-  loads_.change(a, more, set(p.applied_torque, torque));
-  p.applied_moment.resize(p.size(), Mat3::Zero());
-  p.applied_moment[a] = moment;
+  loads_.add(a, force - set(p.applied_force, force), torque - set(p.applied_torque, torque));
+  set(p.applied_moment, moment);
   any_applied_ = true;
 }
 

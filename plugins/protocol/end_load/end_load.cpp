@@ -14,14 +14,15 @@ class EndLoad final : public Protocol {
   void setup(const SimulationView& view, LoadControl& control, Recorder& recorder, Host& host) override {
     host_ = &host;
     shape_ = specimen_along(c_.axis, view, control);
-    dimension_ = view.dimension;
+    space_ = view;
     const double speed = control.bond_stiffness().wave_speed, travel = speed > 0 ? shape_.height / speed : 0;
     if (!(travel > 0) && (!c_.ramp_time || !(c_.duration || c_.max_time)))
       throw UserError(
           "protocol end_load: without bonds there is no wave by which times could be chosen: give `ramp_time`, and "
           "`duration` or `max_time`");
     // What bends swings more slowly than waves travel, in proportion to how slender it is.
-    const double area = shape_.cross_section_area, breadth = dimension_ == 2 ? area / view.thickness : std::sqrt(area),
+    const double area = shape_.cross_section_area,
+                 breadth = space_.dimension == 2 ? area / view.thickness : std::sqrt(area),
                  slow = travel * std::max(1.0, shape_.height / breadth);
     ramp_time_ = c_.ramp_time.value_or(20 * slow);
     max_time_ = c_.max_time.value_or(1000 * slow);
@@ -150,7 +151,7 @@ class EndLoad final : public Protocol {
       const Load& l = c_.loads[k];
       const std::string path = "loads[" + std::to_string(k) + "]";
       const Vec3 force = l.force.value_or(Vec3::Zero()), moment = l.moment.value_or(Vec3::Zero());
-      if (dimension_ == 2 && (force.z() != 0 || moment.x() != 0 || moment.y() != 0))
+      if (space_.dimension == 2 && (force.z() != 0 || moment.x() != 0 || moment.y() != 0))
         throw UserError("protocol end_load: " + path +
                         ": in two dimensions a force has no z, and a moment nothing but z");
       loads_.push_back({Group(l, group_name(l, k, "load"), path, shape_, p, l.share), force, moment});
@@ -178,7 +179,7 @@ class EndLoad final : public Protocol {
   void add_columns(Recorder& recorder, const Group& group, bool supported) {
     const auto add = [&](const char* what, const char* unit, const char* doc, bool turns) {
       for (int c = 0; c < 3; ++c) {
-        if (dimension_ == 2 && (turns ? c < 2 : c == 2)) continue;
+        if (space_.dimension == 2 && (turns ? c < 2 : c == 2)) continue;
         names_.push_back({group.name() + "_" + what + "_" + "xyz"[c], unit, doc});
         columns_.push_back(recorder.add(names_.back()));
       }
@@ -194,7 +195,7 @@ class EndLoad final : public Protocol {
     std::vector<double> all;
     const auto add = [&](const Vec3& v, bool turns) {
       for (int c = 0; c < 3; ++c)
-        if (dimension_ == 3 || (turns ? c == 2 : c < 2)) all.push_back(v[c]);
+        if (space_.dimension == 3 || (turns ? c == 2 : c < 2)) all.push_back(v[c]);
     };
     for (std::size_t k = 0; k < s_.rotation.size(); ++k) {
       add(group(k).displacement(p), false);
@@ -238,14 +239,14 @@ class EndLoad final : public Protocol {
     for (std::size_t k = 0; k < loads_.size(); ++k)
       work += loads_[k].force.dot(loads_[k].group.displacement(p)) +
               loads_[k].moment.dot(s_.rotation[supports_.size() + k]);
-    const double kinetic = kinetic_energy(p, dimension_);
+    const double kinetic = kinetic_energy(p, space_);
     return work > 0 ? kinetic / work : kinetic > 0 ? 1.0 : 0.0;
   }
 
   Config c_;
   Host* host_ = nullptr;
   SpecimenShape shape_;
-  int dimension_ = 3;
+  Space space_;
   double ramp_time_ = 0, max_time_ = 0, max_displacement_ = 0;  // [s], [s], [m]
   double size_ = 0;                                             ///< of all loads, particle by particle [N]
   std::vector<Supported> supports_;

@@ -50,13 +50,12 @@ inline double free_resultants(const ParticlesView& p) {
   return sum;
 }
 
-/// Of spheres, or of discs in a plane [J].
-inline double kinetic_energy(const ParticlesView& p, int dimension) {
-  const double of_radius = dimension == 2 ? 0.5 : 0.4;  // moment of inertia over m r^2
+/// In all [J].
+inline double kinetic_energy(const ParticlesView& p, const Space& space) {
   double sum = 0;
   for (Index k = 0; k < p.size(); ++k)
     sum += 0.5 * p.mass[k] *
-           (p.velocity[k].squaredNorm() + of_radius * p.radius[k] * p.radius[k] * p.angular_velocity[k].squaredNorm());
+           (p.velocity[k].squaredNorm() + space.gyration(p.radius[k]) * p.angular_velocity[k].squaredNorm());
   return sum;
 }
 
