@@ -9,6 +9,7 @@
 #include "check/example.hpp"
 #include "check/files.hpp"
 #include "results/temporary_folder.hpp"
+#include "run/load_workflow.hpp"
 #include "run/runner.hpp"
 
 namespace breccia {

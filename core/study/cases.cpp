@@ -6,6 +6,7 @@
 #include <set>
 
 #include "breccia/text_file.hpp"
+#include "config/at_path.hpp"
 #include "config/each_value.hpp"
 #include "config/reader.hpp"
 #include "hash/sha256.hpp"
@@ -55,28 +56,6 @@ std::string input_hash(Json config, const Registry& registry) {
     if (spec.type == ParamType::path) value = content_of(value.get<std::string>());
   });
   return hash_text(json_text(config));
-}
-
-const Json* value_at(const Json& config, const std::vector<PathStep>& steps) {
-  const Json* at = &config;
-  for (const PathStep& step : steps) {
-    if (at->is_array()) {
-      const std::size_t index = std::strtoul(step.name.c_str(), nullptr, 10);
-      if (index >= at->size()) return nullptr;
-      at = &(*at)[index];
-    } else {
-      const auto it = at->find(step.name);
-      if (!at->is_object() || it == at->end()) return nullptr;
-      at = &*it;
-    }
-  }
-  return at;
-}
-
-std::string normal(const std::string& path) {
-  std::string out;
-  for (const PathStep& step : split_path(path)) out.append(out.empty() ? "" : ".").append(step.name);
-  return out;
 }
 
 }  // namespace
@@ -188,19 +167,14 @@ ResolvedCase Sweep::resolve(const SweepCase& c) const {
   const Registry& plugins = registry(c);
   ResolvedCase resolved;
   resolved.loaded = load_workflow(sources_[c.workflow], values_of(c), plugins);
-  Json& config = resolved.loaded.config;
+  const Json& config = resolved.loaded.config;
   resolved.hash = input_hash(config, plugins);
   for (const PlacedValue& v : point) {
-    const Json* value = value_at(config, split_path(v.path));
+    const Json* value = value_at(config, v.path);
     resolved.inputs.push_back(value ? *value : Json(value_text(*v.value)));
-    resolved.units.push_back("1");
-    const std::string wanted = normal(v.path);
-    each_value(config, workflow_schema(), plugins, [&](const ParamSpec& spec, const std::string& path, Json&) {
-      const std::string here = normal(path);
-      const bool is_quantity = spec.type == ParamType::quantity || spec.type == ParamType::quantity_list;
-      if (is_quantity && (here == wanted || wanted.starts_with(here + ".")) && resolved.inputs.back().is_number())
-        resolved.units.back() = spec.unit;
-    });
+    const auto spec = value && value->is_number() ? spec_at(config, workflow_schema(), plugins, v.path) : std::nullopt;
+    const bool is_quantity = spec && (spec->type == ParamType::quantity || spec->type == ParamType::quantity_list);
+    resolved.units.push_back(is_quantity ? spec->unit : "1");
   }
   return resolved;
 }

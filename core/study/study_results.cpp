@@ -5,6 +5,7 @@
 
 #include "breccia/atomic_file.hpp"
 #include "breccia/text_file.hpp"
+#include "config/at_path.hpp"
 #include "config/suggest.hpp"
 #include "plugin/guarded.hpp"
 #include "results/summary_keys.hpp"
@@ -76,13 +77,8 @@ SweepTable::SweepTable(const Sweep& sweep, const SweepPlan& plan, std::vector<Ca
 }
 
 Json SweepTable::value(std::size_t k, const std::string& key) const {
-  const Json* at = &results_[k].summary;
-  for (const PathStep& step : split_path(key)) {
-    if (!at->is_object()) return {};
-    const auto it = at->find(step.name);
-    if (it == at->end()) return {};
-    at = &*it;
-  }
+  const Json* at = value_at(results_[k].summary, key);
+  if (!at) return {};
   if (at->is_boolean()) return at->get<bool>() ? 1 : 0;
   return at->is_structured() ? Json() : *at;
 }
