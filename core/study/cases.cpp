@@ -9,6 +9,7 @@
 #include "config/at_path.hpp"
 #include "config/each_value.hpp"
 #include "config/reader.hpp"
+#include "hash/sha256.hpp"
 #include "results/curve_table.hpp"
 #include "results/summary_keys.hpp"
 #include "study/input_hash.hpp"
@@ -105,7 +106,7 @@ void Sweep::name_cases() {
       std::string folder = fit_for_a_name(name);
       const bool is_long = folder.size() > 150;
       if (is_long) folder.resize(130);
-      if (is_long || names.contains(folder)) folder.append("_").append(hash_text(name), 0, 12);
+      if (is_long || names.contains(folder)) folder.append("_").append(sha256(name), 0, 12);
       names.insert(folder);
       cases_.push_back({cases_.size() + 1, p, w, folder});
     }

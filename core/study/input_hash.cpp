@@ -17,12 +17,10 @@ namespace {
 Json content_of(const fs::path& file) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return valid_utf8(file.string());
-  return hash_text(read_bytes(file));
+  return sha256(read_bytes(file));
 }
 
 }  // namespace
-
-std::string hash_text(const std::string& text) { return sha256(std::as_bytes(std::span(text))); }
 
 std::string input_hash(Json config, const Registry& registry) {
   for (const char* key : {"name", "description", "reference", "provenance"}) config.erase(key);
@@ -30,7 +28,7 @@ std::string input_hash(Json config, const Registry& registry) {
   each_value(config, workflow_schema(), registry, [](const ParamSpec& spec, const std::string&, Json& value) {
     if (spec.type == ParamType::path) value = content_of(value.get<std::string>());
   });
-  return hash_text(json_text(config));
+  return sha256(json_text(config));
 }
 
 }  // namespace breccia

@@ -12,7 +12,4 @@ namespace breccia {
 /// of what only describes the run.
 std::string input_hash(Json config, const Registry& registry);
 
-/// Of any text.
-std::string hash_text(const std::string& text);
-
 }  // namespace breccia
