@@ -110,6 +110,9 @@ void Calibration::describe(Schema<Calibration>& s) {
   s.param("targets", &Calibration::targets).items(1, 50).doc("what was measured, by names of your own");
   s.param("parameters", &Calibration::parameters).items(1, 20).doc("what is sought, by names of your own");
   s.param("budget", &Calibration::budget).doc("how many runs it may cost");
+  s.param("plugins", &Calibration::plugins)
+      .fallback(Json::array())
+      .doc("searches from outside Breccia's own folder: shared libraries or folders of them, relative to this file");
   s.param("search", &Calibration::search)
       .kind("search")
       .doc("what proposes the points; default: `kriging`, with its own defaults");

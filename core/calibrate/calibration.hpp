@@ -8,6 +8,7 @@
 #include "config/base_chain.hpp"
 #include "plugin/registry.hpp"
 #include "study/design.hpp"
+#include "workflow/workflow.hpp"
 
 namespace breccia {
 
@@ -57,6 +58,7 @@ struct Calibration {
   ByName<CalibrationTarget> targets;
   ByName<CalibrationParameter> parameters;
   CalibrationBudget budget;
+  std::vector<PluginPath> plugins;
   std::optional<PluginChoice> search, renderer;
   std::optional<long> jobs;
   long seed;
@@ -125,7 +127,7 @@ struct LoadedCalibration {
   std::vector<Stage> stages;  ///< at least one
 };
 
-/// ConfigError with every problem of the file itself.
-LoadedCalibration load_calibration(const std::filesystem::path& file, const Registry& registry);
+/// ConfigError with every problem of the file itself. The plugins that it names are added to the registry first.
+LoadedCalibration load_calibration(const std::filesystem::path& file, Registry& registry);
 
 }  // namespace breccia

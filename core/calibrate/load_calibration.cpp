@@ -334,8 +334,11 @@ PluginChoice usual_search(const Registry& registry, const std::string& file) {
 
 }  // namespace
 
-LoadedCalibration load_calibration(const fs::path& file, const Registry& registry) {
+LoadedCalibration load_calibration(const fs::path& file, Registry& registry) {
   const BaseChain chain = single_file(read_text(file), file.string(), "calibration");
+  if (chain.whole)
+    for (const Json& plugin : read_section(chain, calibration_schema(), "plugins"))
+      registry.add(plugin.at("path").get<std::string>());
   const Json config = read_config(chain, calibration_schema(), registry);
   Schema<Calibration> schema;
   Calibration::describe(schema);

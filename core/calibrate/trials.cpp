@@ -28,12 +28,14 @@ YamlPtr scalar(const std::string& text, Place place) {
 
 }  // namespace
 
-Trials::Trials(const fs::path& file) : calibration_(load_calibration(file, Registry())) {
+CalibrationTrials::CalibrationTrials(const fs::path& file) : calibration_(load_calibration(file, own_)) {
   read_workflows();
   try_the_range();
 }
 
-const Registry& Trials::registry_with(const std::vector<fs::path>& plugins) const {
+std::unique_ptr<Search> CalibrationTrials::search() const { return own_.create<Search>(*calibration_.config.search); }
+
+const Registry& CalibrationTrials::registry_with(const std::vector<fs::path>& plugins) const {
   auto& registry = registries_[plugins];
   if (!registry) {
     auto fresh = std::make_unique<Registry>();
@@ -43,7 +45,7 @@ const Registry& Trials::registry_with(const std::vector<fs::path>& plugins) cons
   return *registry;
 }
 
-void Trials::read_workflows() {
+void CalibrationTrials::read_workflows() {
   std::vector<Finding> findings;
   for (const auto& w : calibration_.workflows) {
     BaseChain source;
@@ -60,7 +62,7 @@ void Trials::read_workflows() {
   if (!findings.empty()) refuse(std::move(findings), {calibration_.file});
 }
 
-ValuesOnTop Trials::values_of(const Trial& t) const {
+ValuesOnTop CalibrationTrials::values_of(const Trial& t) const {
   const auto& w = calibration_.workflows[t.workflow];
   ValuesOnTop on_top{calibration_.file, w.set, w.variant, {}};
   if (t.stage != Trial::no_stage) {
@@ -79,11 +81,11 @@ ValuesOnTop Trials::values_of(const Trial& t) const {
   return on_top;
 }
 
-const Registry& Trials::registry(const Trial& t) const {
+const Registry& CalibrationTrials::registry(const Trial& t) const {
   return registry_with(plugin_paths(sources_[t.workflow], values_of(t)));
 }
 
-ResolvedTrial Trials::resolve(const Trial& t) const {
+ResolvedTrial CalibrationTrials::resolve(const Trial& t) const {
   const Registry& plugins = registry(t);
   ResolvedTrial resolved{load_workflow(sources_[t.workflow], values_of(t), plugins), "", ""};
   resolved.hash = input_hash(resolved.loaded.config, plugins);
@@ -93,7 +95,7 @@ ResolvedTrial Trials::resolve(const Trial& t) const {
 
 /// The first guess and both ends of the range, of every workflow in every stage: a path that leads nowhere, a unit that
 /// does not fit, a range that leaves what the parameter may be.
-void Trials::try_the_range() {
+void CalibrationTrials::try_the_range() {
   std::vector<std::string> problems;
   const auto add = [](std::vector<std::string>& all, const std::string& text) {
     if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
@@ -125,13 +127,13 @@ void Trials::try_the_range() {
   throw UserError(text);
 }
 
-Json Trials::described(const Trial& t) const {
+Json CalibrationTrials::described(const Trial& t) const {
   Json j = {{"stage", t.stage}, {"workflow", calibration_.workflows[t.workflow].name}, {"seed", t.seed}};
   for (std::size_t k = 0; k < t.values.size(); ++k) j["parameters"][calibration_.parameters[k].name] = t.values[k];
   return j;
 }
 
-Trial Trials::from(const Json& j) const {
+Trial CalibrationTrials::from(const Json& j) const {
   try {
     Trial t;
     t.stage = j.at("stage").get<std::size_t>();
@@ -147,7 +149,7 @@ Trial Trials::from(const Json& j) const {
   } catch (const Json::exception&) { throw UserError("the calibration has no such run"); }
 }
 
-std::string Trials::ready_workflow(std::size_t workflow, const TrialPoint& values, const fs::path& at) const {
+std::string CalibrationTrials::ready_workflow(std::size_t workflow, const TrialPoint& values, const fs::path& at) const {
   const auto& w = calibration_.workflows[workflow];
   const Trial t{Trial::no_stage, workflow, 0, values};
   const Registry& plugins = registry(t);

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 
+#include "breccia/search.hpp"
 #include "calibrate/calibration.hpp"
 #include "workflow/read_workflow.hpp"
 
@@ -27,12 +28,13 @@ struct ResolvedTrial {
   std::string folder;  ///< below `cases`: the workflow's name and the beginning of the hash
 };
 
-class Trials {
+class CalibrationTrials {
  public:
   /// Reads the calibration and its workflows. ConfigError with every problem of the calibration itself.
-  explicit Trials(const std::filesystem::path& file);
+  explicit CalibrationTrials(const std::filesystem::path& file);
 
   const LoadedCalibration& calibration() const { return calibration_; }
+  std::unique_ptr<Search> search() const;  ///< that of the calibration, made anew
   const Registry& registry(const Trial& t) const;
   /// Checked as `--set` would have it. UserError with what is wrong.
   ResolvedTrial resolve(const Trial& t) const;
@@ -54,6 +56,7 @@ class Trials {
   const Registry& registry_with(const std::vector<std::filesystem::path>& plugins) const;
   void read_workflows();
   void try_the_range();
+  Registry own_;  ///< of the calibration itself
   LoadedCalibration calibration_;
   std::vector<BaseChain> sources_;
   std::vector<std::string> units_, warnings_;
