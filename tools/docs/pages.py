@@ -24,6 +24,7 @@ MENU = [
         ("Choosing a contact law", "docs/laws.md"),
         ("Materials and scatter", "docs/materials.md"),
         ("Parameter studies", "docs/sweeps.md"),
+        ("Calibration", "docs/calibration.md"),
         ("What is measured", "docs/measurements.md"),
         ("Writing a contact law", "docs/writing_a_law.md"),
         ("Writing a plugin", "docs/writing_a_plugin.md"),
@@ -32,6 +33,7 @@ MENU = [
     ("Reference", [
         ("Workflow", "generated/reference/workflow.md"),
         ("Study", "generated/reference/sweep.md"),
+        ("Calibration keys", "generated/reference/calibration.md"),
         ("Plugins", "plugins"),
     ]),
     ("Methods", [
