@@ -15,9 +15,7 @@ void CalibrationTarget::describe(Schema<CalibrationTarget>& s) {
   s.param("workflow", &CalibrationTarget::workflow)
       .example("ucs")
       .doc("which of the workflows measures it; may be left out where there is one");
-  s.param("key", &CalibrationTarget::key)
-      .example("peak_stress_Pa")
-      .doc("of its summary.json, as a dotted path");
+  s.param("key", &CalibrationTarget::key).example("peak_stress_Pa").doc("of its summary.json, as a dotted path");
   s.param("value", &CalibrationTarget::value).example("120 MPa").doc("what the laboratory measured, with its unit");
   s.param("scatter", &CalibrationTarget::scatter)
       .example("12 MPa")
@@ -65,9 +63,7 @@ void CalibrationParameter::describe(Schema<CalibrationParameter>& s) {
 void CalibrationStage::describe(Schema<CalibrationStage>& s) {
   s.param("name", &CalibrationStage::name).example("small").doc("for tables");
   s.param("share", &CalibrationStage::share).above(0).at_most(1).example("60 %").doc("of the points");
-  s.param("variant", &CalibrationStage::variant)
-      .example("small")
-      .doc("one of the `variants` that all workflows have");
+  s.param("variant", &CalibrationStage::variant).example("small").doc("one of the `variants` that all workflows have");
   s.param("set", &CalibrationStage::set)
       .fallback(Json::object())
       .doc("values of all workflows in this stage, path to value");

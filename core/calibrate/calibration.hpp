@@ -84,8 +84,8 @@ struct TargetMeasure {
   std::string written;            ///< unit as the file has it, for tables
   double factor = 1;              ///< from the written unit to SI
   bool log = false;
-  double of(double si) const;            ///< on the scale; NaN where a logarithm has none
-  double back(double on_scale) const;    ///< SI
+  double of(double si) const;          ///< on the scale; NaN where a logarithm has none
+  double back(double on_scale) const;  ///< SI
   double scatter_on_scale() const;
 };
 
@@ -110,10 +110,10 @@ struct LoadedCalibration {
   struct Parameter {
     std::string name;
     std::vector<std::string> paths;
-    Place place, from;               ///< of the path; of the range's lower end
-    std::vector<bool> of_workflow;   ///< which of the workflows have it
+    Place place, from;              ///< of the path; of the range's lower end
+    std::vector<bool> of_workflow;  ///< which of the workflows have it
     ParameterScale scale;
-    std::optional<double> start;     ///< share of the range
+    std::optional<double> start;           ///< share of the range
     std::vector<std::size_t> scales_with;  ///< targets; of the moduli, or of the stresses
   };
   struct Stage {

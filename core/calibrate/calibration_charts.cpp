@@ -88,8 +88,8 @@ class Charts {
   /// What was run, and the model through the best point.
   StudyChart dependence(std::size_t t, std::size_t k) const {
     const auto& p = c_.parameters[k];
-    StudyChart chart{{readable(p.name), trials_.parameter_units()[k]}, axis(t), {},
-                     c_.targets[t].name + "_over_" + p.name};
+    StudyChart chart{
+        {readable(p.name), trials_.parameter_units()[k]}, axis(t), {}, c_.targets[t].name + "_over_" + p.name};
     StudyChart::Series runs{"points", {}, {}, false}, model{"model, the others at their best", {}, {}, true};
     for (const CoursePoint& point : course_.points()) {
       const double y = value(point, t);
@@ -134,8 +134,8 @@ class Charts {
 
 }  // namespace
 
-std::vector<fs::path> draw_calibration(const CalibrationTrials& trials, Course& course, const CalibrationOutcome& outcome,
-                                       const fs::path& folder, Host& host) {
+std::vector<fs::path> draw_calibration(const CalibrationTrials& trials, Course& course,
+                                       const CalibrationOutcome& outcome, const fs::path& folder, Host& host) {
   std::vector<fs::path> made;
   const LoadedCalibration& c = trials.calibration();
   const auto choice = c.config.renderer ? c.config.renderer : usual_renderer({}, Registry(), host);

@@ -43,7 +43,8 @@ std::string points_csv(const CalibrationTrials& trials, const Course& course) {
   const LoadedCalibration& c = trials.calibration();
   std::vector<std::string> header{"point", "why", "stage"};
   append(header, parameter_headers(trials));
-  for (const auto& t : c.targets) append(header, {target_header(t), target_header(t, "_deviation"), t.name + "_packings"});
+  for (const auto& t : c.targets)
+    append(header, {target_header(t), target_header(t, "_deviation"), t.name + "_packings"});
   header.push_back("distance");
   std::string text = csv_line(header);
   std::size_t number = 0;
@@ -125,7 +126,9 @@ double si_value(const CalibrationTrials& trials, std::size_t k, const std::strin
   return parse_quantity(text, unit.empty() ? "1" : unit);
 }
 
-std::vector<std::string> calibration_file_names() { return {"calibration.json", "runs.csv", "points.csv", "report.md"}; }
+std::vector<std::string> calibration_file_names() {
+  return {"calibration.json", "runs.csv", "points.csv", "report.md"};
+}
 
 std::string why_text(CoursePoint::Why why) {
   switch (why) {
@@ -156,9 +159,11 @@ std::string runs_csv(const CalibrationTrials& trials, const Course& course, cons
     const TrialRecord& r = records[k];
     while (point < course.points().size() && within == course.points()[point].trials.size()) ++point, within = 0;
     // Of a batch that is under way the number of the point is not known yet.
-    std::vector<std::string> row{std::to_string(k + 1), r.folder,
+    std::vector<std::string> row{std::to_string(k + 1),
+                                 r.folder,
                                  point < course.points().size() ? std::to_string(point + 1) : "",
-                                 c.stages[r.trial.stage].name, c.workflows[r.trial.workflow].name,
+                                 c.stages[r.trial.stage].name,
+                                 c.workflows[r.trial.workflow].name,
                                  std::to_string(r.trial.seed)};
     ++within;
     append(row, parameter_cells(trials, r.trial.values));
@@ -170,9 +175,9 @@ std::string runs_csv(const CalibrationTrials& trials, const Course& course, cons
   return text;
 }
 
-std::vector<fs::path> write_calibration(const CalibrationTrials& trials, Course& course, const std::vector<TrialRecord>& records,
-                                        const CalibrationOutcome& o, bool whole, const fs::path& folder,
-                                        const fs::path& shown, Host& host) {
+std::vector<fs::path> write_calibration(const CalibrationTrials& trials, Course& course,
+                                        const std::vector<TrialRecord>& records, const CalibrationOutcome& o,
+                                        bool whole, const fs::path& folder, const fs::path& shown, Host& host) {
   const LoadedCalibration& c = trials.calibration();
   std::vector<fs::path> made;
   const auto write = [&](const fs::path& file, const std::string& text) {

@@ -20,15 +20,16 @@ std::string parameters_table(const LoadedCalibration& c, const CalibrationOutcom
   for (std::size_t k = 0; k < c.parameters.size(); ++k) {
     const ParameterOutcome& p = o.parameters[k];
     const ParameterScale& s = c.parameters[k].scale;
-    text += fmt::format("| {} | {} | {} | {} | {} to {} |\n", c.parameters[k].name, p.best,
-                        o.has_model ? p.low : "-", o.has_model ? p.high : "-", s.text(0), s.text(1));
+    text += fmt::format("| {} | {} | {} | {} | {} to {} |\n", c.parameters[k].name, p.best, o.has_model ? p.low : "-",
+                        o.has_model ? p.high : "-", s.text(0), s.text(1));
   }
   return text;
 }
 
 std::string targets_table(const LoadedCalibration& c, const CalibrationOutcome& o) {
   std::string text =
-      "| target | experiment | its scatter | check | packings | their scatter | off, in scatters of the experiment | of "
+      "| target | experiment | its scatter | check | packings | their scatter | off, in scatters of the experiment | "
+      "of "
       "packings | model |\n|---|---|---|---|---|---|---|---|---|\n";
   for (std::size_t t = 0; t < c.targets.size(); ++t) {
     const TargetMeasure& m = c.targets[t].measure;
@@ -48,7 +49,8 @@ std::string sensitivities_table(const LoadedCalibration& c, const CalibrationOut
   text += "\n";
   for (std::size_t k = 0; k < c.parameters.size(); ++k) {
     text += "| " + c.parameters[k].name + " |";
-    for (const SearchSensitivity& s : o.parameters[k].of_target) text += fmt::format(" {:.2f} ({:.2f}) |", s.total, s.alone);
+    for (const SearchSensitivity& s : o.parameters[k].of_target)
+      text += fmt::format(" {:.2f} ({:.2f}) |", s.total, s.alone);
     text += "\n";
   }
   return text;
@@ -56,8 +58,8 @@ std::string sensitivities_table(const LoadedCalibration& c, const CalibrationOut
 
 }  // namespace
 
-std::string calibration_report(const CalibrationTrials& trials, const Course& course, const CalibrationOutcome& o, bool whole,
-                               const std::vector<fs::path>& charts) {
+std::string calibration_report(const CalibrationTrials& trials, const Course& course, const CalibrationOutcome& o,
+                               bool whole, const std::vector<fs::path>& charts) {
   const LoadedCalibration& c = trials.calibration();
   std::string text = "# " + c.config.name + "\n\n";
   if (!c.config.description.empty()) text += c.config.description + "\n\n";
@@ -83,12 +85,12 @@ std::string calibration_report(const CalibrationTrials& trials, const Course& co
             "\nShares of the variance of each target over the ranges that each parameter has a part in (by itself), by "
             "the model.\n\n";
   if (!o.front.empty())
-    text += fmt::format("## Contradiction\n\n`pareto.csv` holds {} points at which no target comes nearer without "
-                        "another going farther.\n\n",
-                        o.front.size());
+    text += fmt::format(
+        "## Contradiction\n\n`pareto.csv` holds {} points at which no target comes nearer without "
+        "another going farther.\n\n",
+        o.front.size());
   for (const fs::path& chart : charts)
-    if (chart.extension() == ".png")
-      text += "![" + chart.stem().string() + "](" + chart.filename().string() + ")\n\n";
+    if (chart.extension() == ".png") text += "![" + chart.stem().string() + "](" + chart.filename().string() + ")\n\n";
   if (o.has_best) text += "The workflows with the best parameters are in `best/`.\n";
   return text;
 }

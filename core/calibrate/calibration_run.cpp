@@ -25,7 +25,9 @@ namespace {
 class Walk {
  public:
   Walk(const CalibrationTrials& trials, const fs::path& results)
-      : trials_(trials), evidence_(trials, results), search_(trials.search()),
+      : trials_(trials),
+        evidence_(trials, results),
+        search_(trials.search()),
         course_(trials.calibration(), *search_) {}
 
   /// The next batch as it stands; false at the end.
@@ -71,7 +73,8 @@ class Walk {
 
 class Run {
  public:
-  Run(const CalibrationRequest& request, const CalibrationTrials& trials, const ResultsFolder& home, Walk& walk, Host& host)
+  Run(const CalibrationRequest& request, const CalibrationTrials& trials, const ResultsFolder& home, Walk& walk,
+      Host& host)
       : a_(request), trials_(trials), home_(home), walk_(walk), host_(host) {}
 
   /// False when the user stopped it.
@@ -88,7 +91,8 @@ class Run {
     }
     if (host_.cancelled()) return false;
     for (TrialRecord* r : open)
-      if (r->is_open()) throw UserError("the run " + r->folder + " has come to no end; its log is in " + logs().string());
+      if (r->is_open())
+        throw UserError("the run " + r->folder + " has come to no end; its log is in " + logs().string());
     return true;
   }
 
@@ -155,34 +159,36 @@ StudyEnd run_calibration(const CalibrationRequest& a, const CalibrationTrials& t
   host.info(fmt::format("calibration `{}`: {} parameters, {} targets, {} workflows, at most {} runs", c.config.name,
                         c.parameters.size(), c.targets.size(), c.workflows.size(), plan_course(c).runs));
   bool whole = true;
+  std::size_t told = 0;
   while (walk.propose(host)) {
     if (a.collect && !walk.open().empty()) {
       whole = false;
       break;
     }
     if (!a.collect && !run.batch()) {
-      host.info(fmt::format("stopped on request; the same command goes on where it stopped, --collect tells what is "
-                            "known so far in {}",
-                            shown_folder.string()));
+      host.info(
+          fmt::format("stopped on request; the same command goes on where it stopped, --collect tells what is "
+                      "known so far in {}",
+                      shown_folder.string()));
       return StudyEnd::stopped;
     }
     walk.take();
     const auto& points = walk.course().points();
-    tell(c, points.back(), points.size(), host);
+    for (; told < points.size(); ++told) tell(c, points[told], told + 1, host);
   }
   const CalibrationOutcome outcome = outcome_of(c, walk.course(), host);
-  for (const fs::path& file : write_calibration(trials, walk.course(), walk.records(), outcome, whole, home.work(),
-                                                shown_folder, host))
+  for (const fs::path& file :
+       write_calibration(trials, walk.course(), walk.records(), outcome, whole, home.work(), shown_folder, host))
     host.info("made " + (shown_folder / file.lexically_relative(home.work())).string());
   home.take_over(true);
   for (const std::string& text : outcome.warnings) host.warn(text);
   for (std::size_t k = 0; k < outcome.best.size(); ++k)
     host.info(fmt::format("{}: {}{}", c.parameters[k].name, outcome.best[k],
-                          outcome.has_model ? fmt::format(" (90 %: {} to {})", outcome.parameters[k].low,
-                                                          outcome.parameters[k].high)
-                                            : ""));
-  host.info(fmt::format("{} runs, {} of them failed; results in {}", outcome.runs, outcome.failed,
-                        shown_folder.string()));
+                          outcome.has_model
+                              ? fmt::format(" (90 %: {} to {})", outcome.parameters[k].low, outcome.parameters[k].high)
+                              : ""));
+  host.info(
+      fmt::format("{} runs, {} of them failed; results in {}", outcome.runs, outcome.failed, shown_folder.string()));
   return whole && outcome.has_best ? StudyEnd::finished : StudyEnd::some_not;
 }
 
@@ -201,8 +207,8 @@ StudyEnd run_trial(const CalibrationRequest& a, const CalibrationTrials& trials,
     Walk walk(trials, results);
     while (walk.records().size() < a.one && walk.propose(terminal) && walk.open().empty()) walk.take();
     if (a.one > walk.records().size())
-      throw UserError(fmt::format("there is no run {} yet: {} are known so far (see --cases)", a.one,
-                                  walk.records().size()));
+      throw UserError(
+          fmt::format("there is no run {} yet: {} are known so far (see --cases)", a.one, walk.records().size()));
     trial = walk.records()[a.one - 1].trial;
   }
   const ResolvedTrial resolved = trials.resolve(trial);
@@ -212,10 +218,11 @@ StudyEnd run_trial(const CalibrationRequest& a, const CalibrationTrials& trials,
   about["calibration"] = trials.calibration().config.name;
   about["workflow_file"] = trials.calibration().workflows[trial.workflow].file;
   about["inputs_sha256"] = resolved.hash;
-  return run_in_folder({resolved.loaded, trials.registry(trial), results / "cases" / resolved.folder, resolved.hash,
-                        about, fmt::format("run {} of calibration `{}`", resolved.folder, trials.calibration().config.name),
-                        a.parent > 0, false},
-                       terminal);
+  return run_in_folder(
+      {resolved.loaded, trials.registry(trial), results / "cases" / resolved.folder, resolved.hash, about,
+       fmt::format("run {} of calibration `{}`", resolved.folder, trials.calibration().config.name), a.parent > 0,
+       false},
+      terminal);
 }
 
 }  // namespace breccia

@@ -24,11 +24,11 @@ CoursePlan plan_course(const LoadedCalibration& c) {
                     check = workflows * std::size_t(b.check_packings), each = workflows * std::size_t(b.packings);
   const std::size_t runs = std::size_t(b.runs), least = start + (needed - 1) * each + check;
   if (runs < least)
-    throw UserError("budget.runs: " + std::to_string(runs) + " runs are too few for " +
-                    std::to_string(c.parameters.size()) + " parameters in " + std::to_string(workflows) +
-                    (workflows == 1 ? " workflow" : " workflows") + ": at least " + std::to_string(least) +
-                    " are needed (" + std::to_string(start) + " at the start, " + std::to_string(check) +
-                    " for the check, " + std::to_string(each) + " for each point between)");
+    throw UserError(std::to_string(runs) + " runs are too few for " + std::to_string(c.parameters.size()) +
+                    " parameters in " + std::to_string(workflows) + (workflows == 1 ? " workflow" : " workflows") +
+                    ": at least " + std::to_string(least) + " are needed (" + std::to_string(start) +
+                    " at the start, " + std::to_string(check) + " for the check, " + std::to_string(each) +
+                    " for each point between)");
   const std::size_t points = 1 + (runs - start - check) / each;
   CoursePlan plan{{}, start + (points - 1) * each + check};
   std::size_t left = points;
@@ -39,7 +39,7 @@ CoursePlan plan_course(const LoadedCalibration& c) {
     left -= plan.points.back();
   }
   if (plan.points.back() == 0 || plan.points.front() < needed)
-    throw UserError("budget.stages: " + std::to_string(points) + " points are too few to share: the first stage needs " +
+    throw UserError(std::to_string(points) + " points are too few to share: the first stage needs " +
                     std::to_string(needed) + " and each other one at least one");
   return plan;
 }
@@ -112,8 +112,7 @@ std::vector<CoursePoint> Course::next(Host& host) {
     const std::size_t size = std::min(std::size_t(budget.batch), planned - have);
     learn(host);
     if (stage_ == 0 && have == 1)
-      if (const auto scaled = scaled_start())
-        batch.push_back(make(Why::scaled, *scaled, std::size_t(budget.packings)));
+      if (const auto scaled = scaled_start()) batch.push_back(make(Why::scaled, *scaled, std::size_t(budget.packings)));
     if (batch.size() == size) return batch;
     for (const SearchPoint& place : calling({Search::kind, c_.config.search->type}, "proposing points",
                                             [&] { return search_.propose(size - batch.size(), host); }))
@@ -203,8 +202,8 @@ std::vector<SearchEvaluation> Course::evaluations(std::size_t stage) const {
 
 bool Course::enough(const std::vector<SearchEvaluation>& all) const {
   for (std::size_t t = 0; t < c_.targets.size(); ++t) {
-    const auto n = std::count_if(all.begin(), all.end(),
-                                 [&](const SearchEvaluation& e) { return std::isfinite(e.value[t]); });
+    const auto n =
+        std::count_if(all.begin(), all.end(), [&](const SearchEvaluation& e) { return std::isfinite(e.value[t]); });
     if (std::size_t(n) < search_.needs()) return false;
   }
   return true;
@@ -253,8 +252,8 @@ bool Course::learn(Host& host) {
   return enough(all);
 }
 
-/// As the search has it; where it knows too little, the point that came nearest; none when no point has a value of every
-/// target.
+/// As the search has it; where it knows too little, the point that came nearest; none when no point has a value of
+/// every target.
 std::optional<SearchPoint> Course::best(Host& host) {
   if (learn(host))
     return calling({Search::kind, c_.config.search->type}, "looking for the best point",

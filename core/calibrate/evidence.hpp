@@ -19,7 +19,8 @@ struct TrialRecord {
 class Evidence {
  public:
   /// `results`: the folder of the calibration.
-  Evidence(const CalibrationTrials& trials, std::filesystem::path results) : trials_(trials), results_(std::move(results)) {}
+  Evidence(const CalibrationTrials& trials, std::filesystem::path results)
+      : trials_(trials), results_(std::move(results)) {}
   /// Reads it. A run that the workflow refuses has failed. UserError when a summary does not have what a target asks
   /// for, or has it in another unit.
   TrialRecord look(const Trial& t, Host& host) const;

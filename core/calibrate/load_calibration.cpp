@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "breccia/result_name.hpp"
-#include "calibrate/calibration.hpp"
+#include "calibrate/course.hpp"
 #include "config/number.hpp"
 #include "config/reader.hpp"
 #include "config/result_name.hpp"
@@ -111,7 +111,8 @@ class Checker {
       loaded_.stages.push_back({stage.name, stage.variant.value_or(""), stage.share, values(*list.items[k])});
     }
     if (std::abs(sum - 1) > 1e-6)
-      report(list, "budget.stages", "the shares are " + format_number(std::round(sum * 1e4) / 100) + " % together, not 100 %");
+      report(list, "budget.stages",
+             "the shares are " + format_number(std::round(sum * 1e4) / 100) + " % together, not 100 %");
   }
 
  private:
@@ -266,8 +267,7 @@ class Checker {
     const auto start = end(node, path + ".start");
     if (!start) return {};
     if (start->unit != scale.unit)
-      report(node, path + ".start",
-             "must be in the unit of `from`, `" + parameter.from + "`, not `" + node.text + "`");
+      report(node, path + ".start", "must be in the unit of `from`, `" + parameter.from + "`, not `" + node.text + "`");
     else if (start->value < scale.from || start->value > scale.to)
       report(node, path + ".start",
              "must be in the range from `" + parameter.from + "` to `" + parameter.to + "`, not `" + node.text + "`");
@@ -355,6 +355,13 @@ LoadedCalibration load_calibration(const fs::path& file, Registry& registry) {
   checker.targets();
   checker.parameters();
   checker.stages();
+  if (findings.empty()) {
+    try {
+      plan_course(loaded);
+    } catch (const UserError& e) {
+      findings.push_back({loaded.file.tree->find("budget")->value->place, "budget", e.what()});
+    }
+  }
   if (!findings.empty()) refuse(std::move(findings), chain.files);
   return loaded;
 }

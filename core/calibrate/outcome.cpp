@@ -10,12 +10,12 @@ namespace breccia {
 
 namespace {
 
-constexpr std::size_t draws = 1000;     // from what agrees with the experiment: 5 % are 50 of them
+constexpr std::size_t draws = 1000;  // from what agrees with the experiment: 5 % are 50 of them
 constexpr std::size_t everywhere = 2000;
-constexpr double tail = 0.05;           // on either side of an interval
-constexpr double far_off = 2;           // distances beyond that are no chance
-constexpr double of_no_effect = 0.05;   // share of every target's variance
-constexpr double at_bound = 0.01;       // of the range
+constexpr double tail = 0.05;          // on either side of an interval
+constexpr double far_off = 2;          // distances beyond that are no chance
+constexpr double of_no_effect = 0.05;  // share of every target's variance
+constexpr double at_bound = 0.01;      // of the range
 
 /// Points of the front: no other is nearer in one target and no farther in the rest.
 std::vector<std::size_t> not_dominated(const std::vector<std::vector<double>>& distances) {
@@ -176,15 +176,17 @@ class Finder {
       return;
     }
     if (!out_.has_model) {
-      warn("Too few points have a value of every target for a model: the best point is the nearest of those that were "
-           "run, and has no interval.");
+      warn(
+          "Too few points have a value of every target for a model: the best point is the nearest of those that were "
+          "run, and has no interval.");
       return;
     }
     for (std::size_t k = 0; k < c_.parameters.size(); ++k) say_of_parameter(k);
     for (std::size_t t = 0; t < c_.targets.size(); ++t) say_of_target(t);
     if (contradict_ && !out_.front.empty() && all_within_reach())
-      warn("The targets contradict each other: each can be met within the ranges, all together cannot. pareto.csv has "
-           "what one costs the others; the best point is the compromise by their scatter.");
+      warn(
+          "The targets contradict each other: each can be met within the ranges, all together cannot. pareto.csv has "
+          "what one costs the others; the best point is the compromise by their scatter.");
   }
 
   bool all_within_reach() const {
@@ -198,10 +200,11 @@ class Finder {
     const bool idle = std::all_of(p.of_target.begin(), p.of_target.end(),
                                   [](const SearchSensitivity& s) { return s.total < of_no_effect; });
     if (idle) {
-      out_.warnings.push_back(fmt::format(
-          "Nothing depends on `{}`: it makes less than {:.0f} % of the variance of every target over its range. Fix it, "
-          "or add a target that depends on it.",
-          name, 100 * of_no_effect));
+      out_.warnings.push_back(
+          fmt::format("Nothing depends on `{}`: it makes less than {:.0f} % of the variance of every target over its "
+                      "range. Fix it, "
+                      "or add a target that depends on it.",
+                      name, 100 * of_no_effect));
       return;  // where it lies within its range means nothing then
     }
     if (p.share < at_bound || p.share > 1 - at_bound)
@@ -226,7 +229,8 @@ class Finder {
     const double checked = double(std::max<std::size_t>(1, o.packings));
     if (packings / std::sqrt(checked) > wanted)
       out_.warnings.push_back(fmt::format(
-          "The scatter of packings is too large for the budget: `{}` varies by {} from one packing to another, more than "
+          "The scatter of packings is too large for the budget: `{}` varies by {} from one packing to another, more "
+          "than "
           "{} packings of the check average out below the experiment's {}. Take larger specimens or more `packings`.",
           name, shown(m, o.scatter, 2), o.packings, shown(m, m.scatter, 2)));
     else if (o.error > wanted)
@@ -235,10 +239,11 @@ class Finder {
           name, o.error / wanted));
     const double spread = std::sqrt(wanted * wanted + packings * packings / checked);
     if (o.packings > 0 && std::abs(o.residual) * wanted > far_off * spread && !contradict_ && !(o.reach > far_off))
-      out_.warnings.push_back(fmt::format(
-          "`{}` was missed: {} instead of {}, {:.1f} times what the scatter of experiment and packings explains, though "
-          "the model promised better. More runs may help.",
-          name, shown(m, o.measured), shown(m, m.value), std::abs(o.residual) * wanted / spread));
+      out_.warnings.push_back(
+          fmt::format("`{}` was missed: {} instead of {}, {:.1f} times what the scatter of experiment and packings "
+                      "explains, though "
+                      "the model promised better. More runs may help.",
+                      name, shown(m, o.measured), shown(m, m.value), std::abs(o.residual) * wanted / spread));
   }
 
   const LoadedCalibration& c_;

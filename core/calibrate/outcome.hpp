@@ -17,9 +17,9 @@ struct TargetOutcome {
   double measured = NAN;                ///< mean of the check (SI)
   double scatter = NAN;                 ///< from one packing to another: SI
   std::size_t packings = 0;             ///< of the check that gave a value
-  double residual = NAN;    ///< (measured - wanted) in units of the experiment's scatter
-  double of_packings = NAN; ///< the same in units of the scatter of packings
-  double reach = NAN;       ///< least distance that the model promises anywhere in the range, in units of the scatter
+  double residual = NAN;                ///< (measured - wanted) in units of the experiment's scatter
+  double of_packings = NAN;             ///< the same in units of the scatter of packings
+  double reach = NAN;  ///< least distance that the model promises anywhere in the range, in units of the scatter
 };
 
 /// One point of the front between targets that contradict each other.
@@ -33,8 +33,8 @@ struct CalibrationOutcome {
   TrialPoint best;
   std::vector<ParameterOutcome> parameters;
   std::vector<TargetOutcome> targets;
-  std::vector<ParetoPoint> front;      ///< only where targets contradict each other
-  std::vector<std::string> warnings;   ///< in plain sentences
+  std::vector<ParetoPoint> front;     ///< only where targets contradict each other
+  std::vector<std::string> warnings;  ///< in plain sentences
   std::size_t runs = 0, failed = 0, points = 0;
 };
 

@@ -149,7 +149,8 @@ Trial CalibrationTrials::from(const Json& j) const {
   } catch (const Json::exception&) { throw UserError("the calibration has no such run"); }
 }
 
-std::string CalibrationTrials::ready_workflow(std::size_t workflow, const TrialPoint& values, const fs::path& at) const {
+std::string CalibrationTrials::ready_workflow(std::size_t workflow, const TrialPoint& values,
+                                              const fs::path& at) const {
   const auto& w = calibration_.workflows[workflow];
   const Trial t{Trial::no_stage, workflow, 0, values};
   const Registry& plugins = registry(t);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "breccia/search.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
+#include "breccia/search.hpp"
 #include "check/attempt.hpp"
 #include "check/check.hpp"
 #include "check/example.hpp"
@@ -79,8 +78,7 @@ class SearchCheck {
     while (known.size() < enough) {
       search->learn(task, known, host_);
       const auto points = search->propose(3, host_);
-      if (points.size() != 3)
-        outside = fmt::format("{} points instead of 3", points.size());
+      if (points.size() != 3) outside = fmt::format("{} points instead of 3", points.size());
       for (const SearchPoint& p : points) {
         if (!in_cube(p, k.dimension)) outside = fmt::format("a point of {} numbers, not all from 0 to 1", p.size());
         for (const SearchEvaluation& e : known)
@@ -101,8 +99,7 @@ class SearchCheck {
 
   void answers(const Known& k, const SearchTask& task, const std::vector<SearchEvaluation>& known, Search& search) {
     if (known.size() < search.needs())
-      return trials_.skip("finds what is wanted", k.name,
-                          fmt::format("it needs {} evaluations", search.needs()));
+      return trials_.skip("finds what is wanted", k.name, fmt::format("it needs {} evaluations", search.needs()));
     const SearchPoint best = search.best(host_);
     double off = 0;
     if (in_cube(best, k.dimension))
@@ -119,8 +116,8 @@ class SearchCheck {
     for (std::size_t t = 0; whole && t < k.targets.size(); ++t) {
       whole = predicted[0].size() == k.targets.size() && predicted[0][t].deviation >= 0;
       if (whole)
-        worst = std::max(worst, std::abs(predicted[0][t].value - k.targets[t](middle)) /
-                                    (3 * predicted[0][t].deviation + scatter));
+        worst = std::max(
+            worst, std::abs(predicted[0][t].value - k.targets[t](middle)) / (3 * predicted[0][t].deviation + scatter));
     }
     trials_.see("says how sure it is", k.name, whole && worst < 1,
                 whole ? fmt::format("off by {:.2g} times what it says", worst) : "not one prediction for each target",
@@ -148,9 +145,10 @@ class SearchCheck {
       for (const SearchSensitivity& s : row) in_order = in_order && s.alone >= 0 && s.total <= 1;
       if (in_order && k.dimension == 3) idle = std::max(idle, row[2].total);
     }
-    trials_.see("sensitivities", k.name, in_order && idle < 0.1,
-                in_order ? fmt::format("{:.2g} for what has no effect", idle) : "not one pair for each parameter and target",
-                "shares of variance from 0 to 1; near 0 for a parameter on which nothing depends", idle);
+    trials_.see(
+        "sensitivities", k.name, in_order && idle < 0.1,
+        in_order ? fmt::format("{:.2g} for what has no effect", idle) : "not one pair for each parameter and target",
+        "shares of variance from 0 to 1; near 0 for a parameter on which nothing depends", idle);
   }
 
   /// Everything that it was told once more, after something else.
@@ -161,8 +159,9 @@ class SearchCheck {
     again->learn(task, known, host_);
     const bool same = again->best(host_) == first.best(host_) && again->propose(2, host_) == first.propose(2, host_) &&
                       again->plausible(20, host_) == first.plausible(20, host_);
-    trials_.see("the same when told again", k.name, same, same ? "the same bits" : "other points",
-                "answers depend on what `learn` was told last alone; draw from a generator that is seeded anew each time");
+    trials_.see(
+        "the same when told again", k.name, same, same ? "the same bits" : "other points",
+        "answers depend on what `learn` was told last alone; draw from a generator that is seeded anew each time");
   }
 
   void gaps(const Known& k, const SearchTask& task, std::vector<SearchEvaluation> known) {

@@ -35,7 +35,8 @@ CaseRecord record_of(const LocalCase& c, const fs::path& log, const JobEnd& end,
   const std::string how =
       end.signal ? fmt::format("the process was ended by signal {} ({})", end.signal, strsignal(end.signal))
                  : fmt::format("the process ended with code {}", end.code);
-  now = {CaseState::failed, end.signal || said.empty() ? how + (said.empty() ? "" : "; its last words: " + said) : said};
+  now = {CaseState::failed,
+         end.signal || said.empty() ? how + (said.empty() ? "" : "; its last words: " + said) : said};
   crashes[c.name] = now.error;
   try {
     record_crash(c.folder, c.hash, now.error, host);

@@ -14,11 +14,11 @@ struct FolderRun {
   const LoadedWorkflow& loaded;
   const Registry& registry;  ///< of its plugins
   std::filesystem::path folder;
-  std::string hash;       ///< of its inputs
-  Json about;             ///< what case.json says of it besides how it stands
-  std::string named;      ///< "case 3 of study `friction`"
-  bool wait = false;      ///< for another process that is about to leave the folder
-  bool overwrite = false; ///< finished results of other inputs
+  std::string hash;        ///< of its inputs
+  Json about;              ///< what case.json says of it besides how it stands
+  std::string named;       ///< "case 3 of study `friction`"
+  bool wait = false;       ///< for another process that is about to leave the folder
+  bool overwrite = false;  ///< finished results of other inputs
 };
 
 /// Runs it, or goes on where it stopped; nothing when it has finished before.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calibrations that are run: parameters that are known are found again, by the same path however often it is interrupted.
+// Calibrations that are run: parameters that are known are found again, by the same path however often it is
+// interrupted.
 #include <cmath>
 #include <csignal>
 
@@ -15,10 +16,11 @@ class Calibrate : public SweepProgram {
     SweepProgram::SetUp();
     if (!fs::exists(BRECCIA_BINARY_DIR "/lib/breccia/breccia_search.kriging.so"))
       GTEST_SKIP() << "built without OpenTURNS";
-    write("rock.yaml",
-          "base: small.yaml\n"
-          "contact_law: {tensile_strength: {mean: 40 MPa, distribution: weibull, modulus: 8}, shear_strength: 200 MPa}\n"
-          "protocol: {max_strain: 1 %, stop_stress_ratio: 0.7}\nrenderers: []\n");
+    write(
+        "rock.yaml",
+        "base: small.yaml\n"
+        "contact_law: {tensile_strength: {mean: 40 MPa, distribution: weibull, modulus: 8}, shear_strength: 200 MPa}\n"
+        "protocol: {max_strain: 1 %, stop_stress_ratio: 0.7}\nrenderers: []\n");
   }
 
   /// Two parameters, two targets; `budget` and whatever stands below it.
@@ -119,8 +121,7 @@ TEST_F(Calibrate, TheSamePathOnAnyNumberOfJobsAndAfterAKill) {
     std::map<fs::path, fs::file_time_type> all;
     std::error_code none;
     for (const auto& entry : fs::directory_iterator(folder_ / "two/cases", none))
-      if (const fs::path file = entry.path() / "summary.json"; fs::exists(file))
-        all[file] = fs::last_write_time(file);
+      if (const fs::path file = entry.path() / "summary.json"; fs::exists(file)) all[file] = fs::last_write_time(file);
     return all;
   };
   ASSERT_TRUE(within_a_minute([&] { return finished().size() >= 5; }));
@@ -205,7 +206,6 @@ TEST_F(Calibrate, WhatIsWrongWithTheTaskIsSaid) {
 
 TEST_F(Calibrate, FailedRunsAreKeptAndTold) {
   // Far too large a step blows the specimen up: the run fails by its energy.
-  write("c.yaml", file(20e9, 50e6, small_budget) + "");
   write("bad.yaml", "base: rock.yaml\nengine: {time_step_safety: 0.8}\n");
   std::string text = file(20e9, 50e6, small_budget);
   text.replace(text.find("rock.yaml"), 9, "bad.yaml");
@@ -241,26 +241,30 @@ TEST_F(Calibrate, MistakesHaveOneLineEach) {
     }
     EXPECT_FALSE(fs::exists(folder_ / "results"));
   };
-  refused("value: 5e+07 Pa", "value: 50", ":4:43: targets.ucs.value: `50` is a plain number, and `peak_stress_Pa` is in Pa");
-  refused("value: 5e+07 Pa", "value: 50 kN", ":4:43: targets.ucs.value: `50 kN` is a force, and `peak_stress_Pa` is in Pa");
-  refused("value: 5e+07 Pa", "value: 50 MPas", ":4:43: targets.ucs.value: `MPas` is not a known unit");
-  refused("scatter: 5 %", "scatter: 0 %", ":4:65: targets.ucs.scatter: the scatter must be above 0");
+  refused("value: 5e+07 Pa", "value: 50",
+          ":4:37: targets.ucs.value: `50` is a plain number, and `peak_stress_Pa` is in Pa");
+  refused("value: 5e+07 Pa", "value: 50 kN",
+          ":4:37: targets.ucs.value: `50 kN` is a force, and `peak_stress_Pa` is in Pa");
+  refused("value: 5e+07 Pa", "value: 50 MPas", ":4:37: targets.ucs.value: `MPas` is not a known unit");
+  refused("scatter: 5 %", "scatter: 0 %", ":4:56: targets.ucs.scatter: the scatter must be above 0");
   refused("scatter: 5 %", "scatter: 5 GPa, weight: 2",
-          ":4:56: targets.ucs: has both `scatter` and `weight`; at most one of them is possible");
-  refused("file: rock.yaml", "file: rok.yaml", ":1:25: workflows.test.file: there is no file rok.yaml");
+          ":4:8: targets.ucs: has both `scatter` and `weight`; at most one of them is possible");
+  refused("file: rock.yaml", "file: rok.yaml", ":1:26: workflows.test.file: there is no file rok.yaml");
   refused("to: 60 GPa", "to: 60 MPa",
-          ":6:66: parameters.modulus.to: must be in the unit of `from`, `4 GPa`, not `60 MPa`");
-  refused("from: 4 GPa", "from: 0 GPa", ":6:53: parameters.modulus.from: must be above 0 on a log scale, not `0 GPa`");
+          ":6:62: parameters.modulus.to: must be in the unit of `from`, `4 GPa`, not `60 MPa`");
+  refused("from: 4 GPa", "from: 0 GPa", ":6:51: parameters.modulus.from: must be above 0 on a log scale, not `0 GPa`");
   refused("from: 4 GPa, to: 60 GPa", "from: 4 mm, to: 60 mm",
-          ":6:53: contact_law.bond_modulus: `mm` is a length; a pressure such as Pa, MPa, GPa or psi is needed");
+          ":6:51: contact_law.bond_modulus: `mm` is a length; a pressure such as Pa, MPa, GPa or psi is needed");
   refused("contact_law.bond_modulus", "contact_law.bond_modulos",
           ":6:19: contact_law.bond_modulos: is not a known parameter; did you mean `bond_modulus`?");
-  refused("contact_law.bond_modulus", "contact_law.tensile_strength.mean",
-          ":7:20: parameters.strength: `contact_law.tensile_strength.mean` gets its value from the parameter `modulus` as "
-          "well");
-  refused("runs: 14", "runs: 6",
-          ": budget.runs: 6 runs are too few for 2 parameters in 1 workflow: at least 9 are needed (3 at the start, 2 for "
-          "the check, 1 for each point between)");
+  refused(
+      "contact_law.bond_modulus", "contact_law.tensile_strength.mean",
+      ":7:20: parameters.strength: `contact_law.tensile_strength.mean` gets its value from the parameter `modulus` as "
+      "well");
+  refused(
+      "runs: 14", "runs: 6",
+      ":8:9: budget: 6 runs are too few for 2 parameters in 1 workflow: at least 9 are needed (3 at the start, 2 for "
+      "the check, 1 for each point between)");
 }
 
 TEST_F(Calibrate, AKeyThatNoSummaryHasEndsItAtOnce) {
@@ -269,8 +273,9 @@ TEST_F(Calibrate, AKeyThatNoSummaryHasEndsItAtOnce) {
   write("c.yaml", text);
   const Result r = call("calibrate c.yaml --output out --jobs 2");
   EXPECT_EQ(r.code, 2) << r.text;
-  EXPECT_TRUE(has(r.text, "targets.ucs.key: no summary of the workflow `test` has the number `peak_stres_Pa`; did you "
-                          "mean `peak_stress_Pa`?"))
+  EXPECT_TRUE(has(r.text,
+                  "targets.ucs.key: no summary of the workflow `test` has the number `peak_stres_Pa`; did you "
+                  "mean `peak_stress_Pa`?"))
       << r.text;
 }
 

@@ -4,8 +4,6 @@
 /// Sources: Jones, Schonlau, Welch (1998), J. Global Optim. 13, 455-492; Uhrenholt, Jensen (2019), AISTATS, PMLR 89,
 /// 2661-2670: distances to several wanted values; Picheny, Wagner, Ginsbourger (2013), Struct. Multidiscip. Optim. 48,
 /// 607-626: noise; Ginsbourger, Le Riche, Carraro (2010): several points at a time, each believed in.
-#include "breccia/search.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -18,9 +16,11 @@
 #include <openturns/Normal.hxx>
 #include <openturns/RandomGenerator.hxx>
 #include <openturns/RandomWalkMetropolisHastings.hxx>
+#include <openturns/ResourceMap.hxx>
 #include <openturns/TBBImplementation.hxx>
 #include <openturns/Uniform.hxx>
 
+#include "breccia/search.hpp"
 #include "candidates.hpp"
 #include "surrogate.hpp"
 
@@ -93,8 +93,10 @@ class Kriging final : public Search {
   }
 
   explicit Kriging(const Config& config) : config_(config) {
-    OT::Log::Show(OT::Log::NONE);          // it would write to the terminal
-    OT::TBBImplementation::Disable();      // the processes of the runs have the cores
+    OT::Log::Show(OT::Log::NONE);      // it would write to the terminal
+    OT::TBBImplementation::Disable();  // the processes of the runs have the cores
+    // With noise the amplitude has no closed form.
+    OT::ResourceMap::SetAsBool("GeneralLinearModelAlgorithm-UseAnalyticalAmplitudeEstimate", false);
   }
 
   void learn(const SearchTask& task, std::span<const SearchEvaluation> known, Host&) override {
@@ -124,7 +126,8 @@ class Kriging final : public Search {
   std::size_t needs() const override { return task_.dimension + 2; }
 
   std::vector<SearchPoint> propose(std::size_t count, Host& host) override {
-    const std::size_t design = config_.design ? std::size_t(*config_.design) : std::max<std::size_t>(5, 3 * task_.dimension);
+    const std::size_t design =
+        config_.design ? std::size_t(*config_.design) : std::max<std::size_t>(5, 3 * task_.dimension);
     std::vector<SearchPoint> chosen;
     const std::size_t left = models_.empty() ? count : design > known_.size() ? design - known_.size() : 0;
     if (const std::size_t n = std::min(count, left); n > 0) {
@@ -188,9 +191,9 @@ class Kriging final : public Search {
       return logs;
     }));
     // It finds the length of its steps itself; four in five points of the walk are left out, for they are much alike.
-    OT::RandomWalkMetropolisHastings walk(log_density, OT::Interval(dimension), ot(start),
-                                          OT::Normal(OT::Point(dimension), OT::Point(dimension, 0.1),
-                                                     OT::CorrelationMatrix(dimension)));
+    OT::RandomWalkMetropolisHastings walk(
+        log_density, OT::Interval(dimension), ot(start),
+        OT::Normal(OT::Point(dimension), OT::Point(dimension, 0.1), OT::CorrelationMatrix(dimension)));
     walk.setBurnIn(800);
     walk.setThinning(5);
     std::vector<SearchPoint> drawn;
@@ -213,7 +216,11 @@ class Kriging final : public Search {
         return values;
       }));
       std::vector<SearchSensitivity> row(task_.dimension);
-      if (task_.dimension == 1) {
+      const Predicted values = model(kriging::filling(task_.dimension, 0, 256, task_.seed));
+      const auto [low, high] = std::minmax_element(values.value.begin(), values.value.end());
+      if (!(*high - *low > 1e-9 * (std::abs(*low) + std::abs(*high)))) {
+        // the same everywhere: there is nothing to share
+      } else if (task_.dimension == 1) {
         row[0] = {1, 1};
       } else {
         const OT::JansenSensitivityAlgorithm shares(OT::ComposedDistribution(sides), 512, value);

@@ -21,8 +21,7 @@ constexpr double shortest = 0.1, longest = 10, least = 0.003, largest = 10;
 constexpr double jitter = 1e-8;  // variance that keeps the matrix positive where runs have no scatter
 constexpr OT::UnsignedInteger starts = 6;
 
-/// Parameters are sought as their logarithms: OpenTURNS takes bounds of the parameters themselves, so these starts
-/// spread over orders of magnitude.
+/// Lengths and amplitudes of one order of magnitude each: the likelihood has more than one summit.
 OT::Sample spread(const OT::Interval& bounds) {
   OT::SobolSequence sequence(bounds.getDimension());
   OT::Sample points = sequence.generate(starts);
@@ -54,7 +53,8 @@ Surrogate::Surrogate(const OT::Sample& points, const OT::Point& values, const OT
 void Surrogate::fit(bool learn) {
   const OT::UnsignedInteger dimension = points_.getDimension();
   const bool slopes = settings_.linear_trend && points_.getSize() >= dimension + 3;
-  const OT::Basis trend = slopes ? OT::LinearBasisFactory(dimension).build() : OT::ConstantBasisFactory(dimension).build();
+  const OT::Basis trend =
+      slopes ? OT::LinearBasisFactory(dimension).build() : OT::ConstantBasisFactory(dimension).build();
   if (learn) covariance_ = OT::MaternModel(OT::Point(dimension, 1.0), OT::Point(1, 0.5), settings_.smoothness);
   OT::Sample values(values_.getSize(), 1);
   for (OT::UnsignedInteger i = 0; i < values_.getSize(); ++i) values(i, 0) = values_[i];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// A search for calibrations: of each target a polynomial of second degree without products, fitted to all that is known;
-/// points at random first, then ever nearer to where it says the targets are met.
-/// Sources: name what the method follows here; README.md says more.
+/// A search for calibrations: of each target a polynomial of second degree without products, fitted to all that is
+/// known; points at random first, then ever nearer to where it says the targets are met. Sources: name what the method
+/// follows here; README.md says more.
 #include <Eigen/Dense>
 #include <cmath>
 #include <random>
