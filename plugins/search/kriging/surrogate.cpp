@@ -5,6 +5,7 @@
 #include <cmath>
 #include <openturns/Cobyla.hxx>
 #include <openturns/ConstantBasisFactory.hxx>
+#include <openturns/Exception.hxx>
 #include <openturns/KrigingAlgorithm.hxx>
 #include <openturns/LinearBasisFactory.hxx>
 #include <openturns/MaternModel.hxx>
@@ -70,9 +71,16 @@ void Surrogate::fit(bool learn) {
     OT::Cobyla local;
     local.setIgnoreFailure(true);
     local.setMaximumEvaluationNumber(40 * (dimension + 1));
-    algorithm.setOptimizationAlgorithm(OT::MultiStart(local, spread(bounds)));
+    OT::MultiStart from_each(local, spread(bounds));
+    from_each.setMaximumEvaluationNumber(starts * local.getMaximumEvaluationNumber());
+    algorithm.setOptimizationAlgorithm(from_each);
   }
-  algorithm.run();
+  try {
+    algorithm.run();
+  } catch (const OT::Exception&) {  // no start led anywhere: lengths and amplitude stay the usual ones
+    if (!learn) throw;
+    return fit(false);
+  }
   result_ = algorithm.getResult();
   covariance_ = result_.getCovarianceModel();
 }
