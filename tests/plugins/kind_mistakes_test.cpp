@@ -121,6 +121,19 @@ TEST(KindMistakes, OfOutputsAndRenderers) {
                      {"nothing", "FAILED  draws a run"}});
 }
 
+TEST(KindMistakes, OfSearches) {
+  finds("search", {{"outside", "FAILED  points in the cube"},
+                   {"few", "FAILED  points in the cube"},
+                   {"again", "FAILED  new points"},
+                   {"lost", "FAILED  finds what is wanted"},
+                   {"sure", "FAILED  says how sure it is"},
+                   {"spread", "FAILED  points that agree"},
+                   {"idle", "FAILED  sensitivities"},
+                   {"clock", "FAILED  the same when told again"},
+                   {"gaps", "FAILED  values that are missing"},
+                   {"exception", "FAILED  answers"}});
+}
+
 TEST(Check, SaysWhatToWrite) {
   const Output kind = check("packing");
   EXPECT_EQ(kind.code, 2);
