@@ -19,7 +19,7 @@ namespace {
 // In units of the cube and of the values' own deviation: a length beyond which nothing is told apart from a straight
 // line, one below which points would know nothing of each other; an amplitude that is nothing beside the trend.
 constexpr double shortest = 0.1, longest = 10, least = 0.003, largest = 10;
-constexpr double jitter = 1e-8;  // variance that keeps the matrix positive where runs have no scatter
+constexpr double jitter = 1e-6;  // variance that keeps the matrix positive where runs have no scatter
 constexpr OT::UnsignedInteger starts = 6;
 
 /// Lengths and amplitudes of one order of magnitude each: the likelihood has more than one summit.
