@@ -33,6 +33,13 @@ struct CompareArguments {
   bool overwrite = false;
 };
 
+struct ReportArguments {
+  std::filesystem::path folder, output;  ///< of a run or a study; of the page, empty: report.html in that folder
+  std::vector<std::string> authors;
+  std::string licence;
+  bool overwrite = false;
+};
+
 struct DriveArguments {
   std::string target;  ///< a workflow, or the name of a contact law
   std::filesystem::path path, output;
@@ -72,6 +79,7 @@ int list(const std::string& kind);
 int describe(const std::string& plugin, const std::string& format);
 int render(const RenderArguments& arguments);
 int compare(const CompareArguments& arguments);
+int report(const ReportArguments& arguments);
 int drive(const DriveArguments& arguments);
 int sweep(const SweepArguments& arguments);
 int schema(const std::string& of);
