@@ -13,7 +13,7 @@
 
 #include "archive/checkpoint_file.hpp"
 #include "breccia/atomic_file.hpp"
-#include "plugin/sha256.hpp"
+#include "hash/sha256.hpp"
 
 namespace breccia {
 namespace fs = std::filesystem;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/compare.hpp"
+#include "compare/compare.hpp"
 
 #include <algorithm>
 
 #include "cli/console.hpp"
 #include "cli/renderer_settings.hpp"
 #include "cli/verbs.hpp"
-#include "output/results_folder.hpp"
+#include "results/results_folder.hpp"
 
 namespace breccia::cli {
 namespace {

@@ -10,8 +10,8 @@
 #include "cli/plugin_name.hpp"
 #include "cli/verbs.hpp"
 #include "config/listed_plugin.hpp"
-#include "run/sweep_study.hpp"
-#include "run/workflow.hpp"
+#include "study/study.hpp"
+#include "workflow/workflow.hpp"
 
 namespace breccia::cli {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/drive.hpp"
+#include "drive/drive.hpp"
 
 #include <fmt/format.h>
 
@@ -11,8 +11,8 @@
 #include "cli/results_table.hpp"
 #include "cli/verbs.hpp"
 #include "config/units.hpp"
-#include "output/results_folder.hpp"
-#include "run/workflow.hpp"
+#include "results/results_folder.hpp"
+#include "run/load_workflow.hpp"
 
 namespace breccia::cli {
 namespace {

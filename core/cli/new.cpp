@@ -9,7 +9,7 @@
 #include "cli/command_model.hpp"
 #include "cli/verbs.hpp"
 #include "plugin/registry.hpp"
-#include "run/scaffold.hpp"
+#include "scaffold/scaffold.hpp"
 
 namespace breccia::cli {
 namespace {

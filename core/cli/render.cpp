@@ -6,7 +6,8 @@
 #include "cli/console.hpp"
 #include "cli/renderer_settings.hpp"
 #include "cli/verbs.hpp"
-#include "output/results_folder.hpp"
+#include "results/results_folder.hpp"
+#include "run/load_workflow.hpp"
 
 namespace breccia::cli {
 namespace {

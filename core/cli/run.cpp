@@ -8,8 +8,10 @@
 #include "cli/console.hpp"
 #include "cli/results_table.hpp"
 #include "cli/verbs.hpp"
-#include "output/results_folder.hpp"
+#include "results/results_folder.hpp"
+#include "run/load_workflow.hpp"
 #include "run/packing_cache.hpp"
+#include "run/runner.hpp"
 #include "run/what_is_kept.hpp"
 
 namespace breccia::cli {

@@ -11,10 +11,12 @@
 #include "cli/console.hpp"
 #include "cli/renderer_settings.hpp"
 #include "cli/verbs.hpp"
-#include "output/results_folder.hpp"
+#include "results/results_folder.hpp"
+#include "run/load_workflow.hpp"
 #include "run/packing_cache.hpp"
-#include "run/sweep_jobs.hpp"
-#include "run/sweep_results.hpp"
+#include "run/runner.hpp"
+#include "study/jobs.hpp"
+#include "study/study_results.hpp"
 
 namespace breccia::cli {
 namespace {

@@ -4,12 +4,12 @@
 #include <algorithm>
 
 #include "breccia/text_file.hpp"
-#include "output/temporary_folder.hpp"
 #include "report/html.hpp"
 #include "report/quantity.hpp"
 #include "report/svg.hpp"
+#include "results/summary_keys.hpp"
+#include "results/temporary_folder.hpp"
 #include "run/render.hpp"
-#include "run/summary_keys.hpp"
 
 namespace breccia::report {
 

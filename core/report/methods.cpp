@@ -7,7 +7,7 @@
 #include "report/html.hpp"
 #include "report/quantity.hpp"
 #include "report/run_parts.hpp"
-#include "run/summary_keys.hpp"
+#include "results/summary_keys.hpp"
 
 namespace breccia::report {
 namespace {

@@ -5,11 +5,11 @@
 #include <ctime>
 #include <set>
 
-#include "output/atomic_file.hpp"
-#include "output/results_folder.hpp"
 #include "report/crate.hpp"
 #include "report/methods.hpp"
 #include "report/run_parts.hpp"
+#include "results/atomic_file.hpp"
+#include "results/results_folder.hpp"
 
 namespace breccia::report {
 

@@ -2,14 +2,14 @@
 #include "report/run_files.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <limits>
 
+#include "config/at_path.hpp"
 #include "config/yaml_tree.hpp"
-#include "output/curve_table.hpp"
-#include "output/results_folder.hpp"
+#include "results/curve_table.hpp"
+#include "results/results_folder.hpp"
 
 namespace breccia::report {
 
@@ -62,21 +62,8 @@ void read_curves(const fs::path& file, RunFiles& run) {
 }  // namespace
 
 Json at_path(const Json& object, const std::string& path) {
-  const Json* at = &object;
-  for (const PathStep& step : split_path(path)) {
-    if (at->is_array()) {  // "contact_law.0.friction"
-      std::size_t index = 0;
-      const char* const end = step.name.data() + step.name.size();
-      if (std::from_chars(step.name.data(), end, index).ptr != end || index >= at->size()) return {};
-      at = &(*at)[index];
-      continue;
-    }
-    if (!at->is_object()) return {};
-    const auto it = at->find(step.name);
-    if (it == at->end()) return {};
-    at = &*it;
-  }
-  return *at;
+  const Json* value = value_at(object, path);
+  return value ? *value : Json();
 }
 
 std::string RunFiles::name() const {

@@ -3,7 +3,7 @@
 #include "report/quantity.hpp"
 #include "report/report_pages.hpp"
 #include "report/run_parts.hpp"
-#include "run/summary_keys.hpp"
+#include "results/summary_keys.hpp"
 
 namespace breccia::report {
 namespace {

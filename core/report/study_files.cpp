@@ -6,9 +6,9 @@
 #include <limits>
 #include <set>
 
-#include "output/results_folder.hpp"
 #include "report/quantity.hpp"
-#include "run/summary_keys.hpp"
+#include "results/results_folder.hpp"
+#include "results/summary_keys.hpp"
 
 namespace breccia::report {
 

@@ -11,11 +11,11 @@
 #include <random>
 #include <thread>
 
+#include "breccia/atomic_file.hpp"
 #include "breccia/text_file.hpp"
 #include "config/places.hpp"
-#include "output/atomic_file.hpp"
+#include "hash/sha256.hpp"
 #include "plugin/guarded.hpp"
-#include "plugin/sha256.hpp"
 #include "run/warning_log.hpp"
 
 namespace breccia {

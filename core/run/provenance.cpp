@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "breccia/text_file.hpp"
-#include "plugin/sha256.hpp"
+#include "hash/sha256.hpp"
 
 namespace breccia {
 

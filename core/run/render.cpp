@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/render.hpp"
 
-#include "output/results_folder.hpp"
-#include "output/temporary_folder.hpp"
+#include "results/results_folder.hpp"
+#include "results/temporary_folder.hpp"
 #include "run/listed.hpp"
 
 namespace breccia {
