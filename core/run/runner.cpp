@@ -16,15 +16,14 @@
 #include "engine/assembly.hpp"
 #include "engine/simulation.hpp"
 #include "engine/specimen.hpp"
-#include "output/curve_table.hpp"
-#include "output/results_folder.hpp"
-#include "output/summary_table.hpp"
 #include "plugin/out_of_memory.hpp"
+#include "results/curve_table.hpp"
+#include "results/results_folder.hpp"
+#include "results/summary_table.hpp"
 #include "run/branch.hpp"
 #include "run/checkpoints.hpp"
 #include "run/checks.hpp"
 #include "run/columns.hpp"
-#include "run/contact_laws.hpp"
 #include "run/energy_check.hpp"
 #include "run/frames.hpp"
 #include "run/listed.hpp"
@@ -37,6 +36,7 @@
 #include "run/scatter_summary.hpp"
 #include "run/threads.hpp"
 #include "run/warning_log.hpp"
+#include "workflow/contact_laws.hpp"
 
 namespace breccia {
 namespace {
