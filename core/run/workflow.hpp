@@ -44,6 +44,11 @@ struct SamplingConfig {
   static void describe(Schema<SamplingConfig>& s);
 };
 
+struct CurvesConfig {
+  bool hdf5;
+  static void describe(Schema<CurvesConfig>& s);
+};
+
 struct CheckpointsConfig {
   double every;  // [s]
   std::optional<double> every_simulated;
@@ -79,6 +84,7 @@ struct Workflow {
   DampingConfig damping;
   EngineConfig engine;
   SamplingConfig sampling;
+  CurvesConfig curves;
   CheckpointsConfig checkpoints;
   std::optional<BranchConfig> from;
   ChecksConfig checks;
