@@ -6,6 +6,7 @@
 #include "arrays.hpp"
 
 namespace breccia::vtk_output {
+
 Bounds bounds_of(const ParticlesView& particles) {
   if (particles.size() == 0) return {};
   constexpr double far = std::numeric_limits<double>::infinity();
