@@ -35,8 +35,8 @@ Json of_dimension(const std::string& si_unit) {
   const bool plain = units::find_unit(si_unit)->dimension.empty();
   std::string slips;
   for (const std::string& slip : units_taken_for_slips()) slips += (slips.empty() ? "" : "|") + slip;
-  return text_pattern(R"(^\s*)" + number + R"(\s*(?!(?:)" + slips + R"()\s*$))" + unit_pattern(si_unit) +
-                          (plain ? "?" : "") + R"(\s*$)",
+  return text_pattern(R"(^ *)" + number + R"( *(?!(?:)" + slips + R"() *$))" + unit_pattern(si_unit) +
+                          (plain ? "?" : "") + R"( *$)",
                       needed_quantity(si_unit) + " is needed");
 }
 
@@ -47,10 +47,10 @@ void add_sign(const ParamSpec& spec, Json& all, SchemaDefinitions& definitions) 
   if (!spec.lower || spec.lower->value < 0 || !has_sign_of_number(spec.unit)) return;
   if (spec.lower->value > 0 || !spec.lower->inclusive)
     all.push_back(definitions.ref(
-        "above_0", [] { return text_pattern(R"(^\s*\+?(?=[0-9]*\.?[0-9]*[1-9])[0-9.])", "must be above 0"); }));
+        "above_0", [] { return text_pattern(R"(^ *\+?(?=[0-9]*\.?[0-9]*[1-9])[0-9.])", "must be above 0"); }));
   else
     all.push_back(definitions.ref(
-        "not_below_0", [] { return text_pattern(R"(^\s*(?:\+?[0-9.]|-[0.]+(?![0-9.])))", "must not be below 0"); }));
+        "not_below_0", [] { return text_pattern(R"(^ *(?:\+?[0-9.]|-[0.]+(?![0-9.])))", "must not be below 0"); }));
 }
 
 /// Of what is written with a point rather than an exponent: that is how shares are written.
@@ -64,7 +64,7 @@ void add_share(const ParamSpec& spec, Json& all, SchemaDefinitions& definitions)
   };
   all.push_back(definitions.ref(all_of_it ? "at_most_1" : "below_1", [&] {
     return text_pattern(
-        R"(^(?!\s*\+?(?:)" + refused(percents, "100") + R"(\s*(?:%|percent)|)" + refused(ones, "1") + R"()\s*$))",
+        R"(^(?! *\+?(?:)" + refused(percents, "100") + R"( *(?:%|percent)|)" + refused(ones, "1") + R"() *$))",
         all_of_it ? "must be at most 1, or 100 %" : "must be below 1, or 100 %");
   }));
 }

@@ -139,7 +139,7 @@ std::string unit_pattern(const std::string& si_unit) {
   for (const Terms& terms : products) add_orders(terms, pattern);
   if (unit->dimension.empty()) add_ratios(pattern);
   const std::string not_judged =
-      "(?![0-9.,_'+*/-])(?:[^\\n]*(?:\\(|[a-z]{5})[^\\n]*|[^\\s./*]+(?:[\\s./*]+[^\\s./*]+){3,})";
+      "(?![0-9.,_'+*/-])(?:[^\\n]*(?:\\(|[a-z]{5})[^\\n]*|[^\\s./*]+(?:[ ./*]+[^\\s./*]+){3,})";
   return "(?:" + pattern + (pattern.empty() ? "" : "|") + not_judged + ")";
 }
 
