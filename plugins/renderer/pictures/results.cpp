@@ -145,6 +145,7 @@ Values field_of(vtkFieldData* data, const std::string& name) {
     throw UserError("there is no field `" + name + "`; there are: " + first_of(known));
   }
   Values v{{}, name, unit_of(array)};
+  v.whole = array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
   const int n = array->GetNumberOfComponents();
   v.value.resize(std::size_t(array->GetNumberOfTuples()));
   for (vtkIdType k = 0; k < array->GetNumberOfTuples(); ++k) {

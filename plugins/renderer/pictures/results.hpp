@@ -41,6 +41,7 @@ FrameFacts facts_of(vtkPolyData* frame);
 struct Values {
   std::vector<double> value;
   std::string name, unit;
+  bool whole = false;  ///< counts and numbers of things
 };
 Values field_of(vtkFieldData* data, const std::string& name);
 

@@ -73,7 +73,7 @@ ColourBar bar_of(const Values& v, const std::string& name, const Scale& scale) {
   bar.colours = colour_table(scale.map, scale.low, scale.high);
   bar.low = scale.low * unit.factor;
   bar.high = scale.high * unit.factor;
-  bar.ticks = nice_ticks(bar.low, bar.high, 6);
+  bar.ticks = nice_ticks(bar.low, bar.high, 6, v.whole ? 1 : 0);
   bar.title = title(name, unit.unit);
   return bar;
 }

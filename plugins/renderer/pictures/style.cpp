@@ -111,7 +111,7 @@ ShownUnit shown_unit(const std::string& unit, double largest) {
   return {std::pow(10.0, -3 * power), prefixes[power + 3] + unit};
 }
 
-Ticks nice_ticks(double low, double high, int count) {
+Ticks nice_ticks(double low, double high, int count, double least_step) {
   if (!(high > low)) return {};
   const double raw = (high - low) / std::max(count, 1), power = std::pow(10.0, std::floor(std::log10(raw)));
   double step = 10 * power;
@@ -120,7 +120,7 @@ Ticks nice_ticks(double low, double high, int count) {
       step = s * power;
       break;
     }
-  return ticks_at(low, high, step);
+  return ticks_at(low, high, std::max(step, least_step));
 }
 
 Ticks ticks_at(double low, double high, double step) {
