@@ -30,7 +30,8 @@ class DirectTension final : public Protocol {
             "Curves have the signs and names of a compression test, so both come out negative: `platen_stress` (load "
             "over the measured "
             "cross-section), `platen_strain`, `platen_imbalance` (difference of the ends' loads over their mean), "
-            "`unbalanced_force_ratio` (of the particles that are not held). `load` and `platen_displacement` are positive "
+            "`unbalanced_force_ratio` (of the particles that are not held). `load` and `platen_displacement` are "
+            "positive "
             "in tension.");
     describe_loading_axis(s);
     s.param("plate_velocity", &Config::plate_velocity)
@@ -264,7 +265,7 @@ class DirectTension final : public Protocol {
   std::vector<std::uint8_t> held_;
   std::vector<double> arm_;  // along the axis, from the centre to the end face [m]
   std::size_t protected_ = 0;
-  std::size_t stress_ = 0, strain_ = 0, imbalance_ = 0, unbalanced_ = 0;
+  std::size_t stress_ = 0, strain_ = 0, load_ = 0, displacement_ = 0, imbalance_ = 0, unbalanced_ = 0;
   Running s_;
 };
 

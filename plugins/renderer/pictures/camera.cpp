@@ -20,7 +20,7 @@ using std::numbers::pi;
 }  // namespace
 
 Direction direction_of(const CameraConfig& camera, const TestSetup& setup, bool face) {
-  Vec3 toward, up = Vec3::UnitZ();
+  Vec3 toward = -Vec3::UnitY(), up = Vec3::UnitZ();
   if (setup.dimension == 2) {
     toward = Vec3::UnitZ();
     up = Vec3::UnitY();
@@ -39,7 +39,6 @@ Direction direction_of(const CameraConfig& camera, const TestSetup& setup, bool 
         up = setup.up;
         break;
       case Looking::front:
-        toward = -Vec3::UnitY();
         break;
       case Looking::side:
         toward = Vec3::UnitX();
