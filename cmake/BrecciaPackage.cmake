@@ -49,5 +49,5 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # of the plugins, too, and of the librar
 # installs unless told otherwise, so that machines that only run need none.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libeigen3-dev, nlohmann-json3-dev, fonts-dejavu-core")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++ | clang, cmake (>= 3.25), make | ninja-build")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "paraview, python3, snakemake, bash-completion")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg, paraview, python3, snakemake, bash-completion")
 include(CPack)
