@@ -229,8 +229,8 @@ def new_results(report, figures, runner, runs, found):
     report.text("### Spheres")
     pair = runs["baseline_3d_ucs"], runs["baseline_3d_tension"]
     if all(pair):
-        report.table(["", "particles", "bonds per particle", *NAMES], [["spheres", pair[0].get("particles"), f"{pair[0].get('coordination_number'):.2f}",
-                                                                         *(f"{v:.{d}f}" for v, d in zip(properties(*pair), DIGITS))]])
+        cells = [f"{v:.{d}f}" for v, d in zip(properties(*pair), DIGITS)]
+        report.table(["", "particles", "bonds per particle", *NAMES], [["spheres", pair[0].get("particles"), f"{pair[0].get('coordination_number'):.2f}", *cells]])
         figures.cracks(report, "Spheres", "compression", pair[0], "baseline_3d_ucs", ())
         figures.cracks(report, "Spheres", "tension", pair[1], "baseline_3d_tension", (4e-5,))
     else:
