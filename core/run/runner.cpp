@@ -26,6 +26,7 @@
 #include "run/checks.hpp"
 #include "run/columns.hpp"
 #include "run/energy_check.hpp"
+#include "run/environment.hpp"
 #include "run/frames.hpp"
 #include "run/listed.hpp"
 #include "run/loading.hpp"
@@ -295,6 +296,7 @@ class Run {
     if (viewable_) finish_plugins(simulation_->view());
     sum_up_packing(summary_, packing_.particles.report);
     summary_.set("reference", w_.reference);
+    summary_.set("environment", environment());
   }
 
   /// Those that have failed have nothing to say.
