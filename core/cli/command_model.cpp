@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cstring>
 #include <map>
 
 #include "cli/verbs.hpp"
@@ -109,6 +111,12 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 }
 
 std::string quoted(const std::string& text) { return "'" + replaced(text, "'", "'\\''") + "'"; }
+
+std::string shell_word(const std::string& text) {
+  const auto plain = [](unsigned char c) { return std::isalnum(c) || (c && std::strchr("_./+-=:,@%", c)); };
+  if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
+  return quoted(text);
+}
 
 int command_texts(const CLI::App& app, const std::string& form) {
   const CommandModel model = command_model(app);

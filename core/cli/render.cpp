@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "cli/console.hpp"
-#include "cli/renderer_settings.hpp"
 #include "cli/verbs.hpp"
+#include "plugin/drawing.hpp"
 #include "results/results_folder.hpp"
 #include "run/load_workflow.hpp"
 

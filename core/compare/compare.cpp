@@ -6,6 +6,7 @@
 
 #include "breccia/atomic_file.hpp"
 #include "breccia/text_file.hpp"
+#include "plugin/drawing.hpp"
 #include "plugin/guarded.hpp"
 #include "results/results_folder.hpp"
 
@@ -88,14 +89,11 @@ std::vector<fs::path> draw(const std::vector<ComparedRun>& runs, const Compariso
   if (!options.renderer) return {};
   ComparisonRequest request{{}, folder};
   for (const ComparedRun& run : runs) request.runs.push_back({run.folder, run.label});
-  try {
+  return drawn("charts", options.renderer->type, Refusal::ends, host, [&] {
     const auto renderer = registry.create<Renderer>(*options.renderer);
     return calling({Renderer::kind, options.renderer->type}, "drawing",
                    [&] { return renderer->compare(request, host); });
-  } catch (const Unavailable& e) {
-    host.warn("no charts by renderer `" + options.renderer->type + "`: " + e.what());
-    return {};
-  }
+  });
 }
 
 }  // namespace

@@ -2,10 +2,13 @@
 #include "config/json_schema.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "config/describe.hpp"
 #include "config/distribution_spec.hpp"
 #include "config/listed_plugin.hpp"
+#include "config/quantity_schema.hpp"
+#include "config/schema_needs.hpp"
 #include "config/shorthand.hpp"
 #include "config/to_yaml.hpp"
 #include "config/units.hpp"
@@ -14,102 +17,46 @@ namespace breccia {
 
 namespace {
 
-const char* const number_pattern = R"([-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?)";
+/// A name that the user chooses, as `SectionReader` has it.
+constexpr const char* own_name = R"(^(?!\.)[^\x00-,./:-@\[-^`{-\x7f]+$)";
 
+/// What may stand where; that all must be there is said apart (`SchemaNeeds`), as a part of a workflow lacks it.
 class SchemaWriter {
  public:
-  explicit SchemaWriter(const PluginDirectory& plugins) : plugins_(plugins) {}
+  explicit SchemaWriter(const PluginDirectory& plugins) : plugins_(plugins), needs_(plugins, definitions_) {}
 
-  Json root(const ParamSpec& spec) const {
-    const auto is_base = [](const ParamSpec& member) { return member.name == "base"; };
-    if (std::none_of(spec.members.begin(), spec.members.end(), is_base)) return group(spec, Extent::whole);
-    Json schema = group(spec, Extent::part);
-    schema["if"] = {{"not", {{"required", Json::array({"base"})}}}};
-    schema["then"] = completeness(spec);
+  Json root(const ParamSpec& spec) {
+    const auto has = [&](const char* name) {
+      return std::any_of(spec.members.begin(), spec.members.end(),
+                         [&](const ParamSpec& member) { return member.name == name; });
+    };
+    Json schema = group(spec), all = schema.value("allOf", Json::array());
+    if (has("variants")) {
+      schema["properties"]["variants"]["additionalProperties"] =
+          definitions_.ref("variant", [&] { return variant(spec); });
+      for (const ParamSpec& member : spec.members)
+        if (member.type == ParamType::plugin || member.type == ParamType::plugin_stack)
+          add_types_of_variants(member, all);
+    }
+    const Json whole = needs_.of(spec);
+    if (!has("base")) all.push_back(whole);
+    if (!all.empty()) schema["allOf"] = all;
+    if (has("base")) {
+      schema["if"] = {{"not", {{"required", Json::array({"base"})}}}};
+      schema["then"] = whole;
+    }
+    schema["definitions"] = definitions_.all();
     return schema;
   }
 
  private:
-  /// Whether what is required must be there, or may be in a base.
-  enum class Extent { whole, part };
-
-  Json group(const ParamSpec& spec, Extent extent) const {
-    Json schema = {{"type", "object"}};
-    add_members(schema, spec, extent);
-    return schema;
-  }
-
-  void add_members(Json& schema, const ParamSpec& spec, Extent extent, const std::string& plugin_name = {}) const {
+  Json group(const ParamSpec& spec, const std::string& plugin = {}) {
     Json properties = Json::object();
-    if (!plugin_name.empty()) properties["type"] = {{"const", plugin_name}};
-    for (const ParamSpec& member : spec.members) properties[member.name] = value(member, extent);
-    schema["properties"] = properties;
-    schema["additionalProperties"] = false;
-    Json all = exclusions(spec);
-    if (extent == Extent::whole) add_required(schema, all, spec);
-    if (!all.empty()) schema["allOf"] = all;
-  }
-
-  /// What a part lacks of a whole: only which keys must be there, section by section.
-  Json completeness(const ParamSpec& spec) const {
-    Json schema = Json::object(), all = Json::array(), sections = Json::object();
-    add_required(schema, all, spec);
-    for (const ParamSpec& member : spec.members) {
-      Json section;
-      if (member.type == ParamType::group) section = completeness(member);
-      if (member.type == ParamType::plugin) section = plugin_completeness(member);
-      if (member.type == ParamType::plugin_stack)
-        section = {{"if", {{"type", "object"}}}, {"then", plugin_completeness(member)}};
-      if (!section.empty()) sections[member.name] = section;
-    }
-    if (!sections.empty()) schema["properties"] = sections;
-    if (!all.empty()) schema["allOf"] = all;
+    if (!plugin.empty()) properties["type"] = {{"const", plugin}};
+    for (const ParamSpec& member : spec.members) properties[member.name] = value(member);
+    Json schema = {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
+    if (const Json all = exclusions(spec); !all.empty()) schema["allOf"] = all;
     return schema;
-  }
-
-  Json plugin_completeness(const ParamSpec& spec) const {
-    Json sections = Json::array();
-    for (const std::string& name : plugins_.names(spec.plugin_kind)) {
-      try {
-        const Json section = completeness(plugins_.documentation(spec.plugin_kind, name).root);
-        if (!section.empty()) sections.push_back({{"if", has_type(name)}, {"then", section}});
-      } catch (const UserError&) {
-        // As in `plugin`.
-      }
-    }
-    Json schema = {{"required", Json::array({"type"})}};
-    if (!sections.empty()) schema["allOf"] = sections;
-    return schema;
-  }
-
-  static Json has_type(const std::string& name) {
-    return {{"properties", {{"type", {{"const", name}}}}}, {"required", Json::array({"type"})}};
-  }
-
-  /// The keys that must be there, and to `all` one of each set of alternatives without a default.
-  static void add_required(Json& schema, Json& all, const ParamSpec& spec) {
-    Json required = Json::array();
-    for (const ParamSpec& member : spec.members)
-      if (member.required && member.fallback.is_null() && !is_alternative(spec, member.name))
-        required.push_back(member.name);
-    if (!required.empty()) schema["required"] = required;
-    for (const auto& names : spec.exactly_one_of) {
-      const bool has_default = std::any_of(spec.members.begin(), spec.members.end(), [&](const ParamSpec& m) {
-        return !m.fallback.is_null() && std::find(names.begin(), names.end(), m.name) != names.end();
-      });
-      if (has_default) continue;
-      Json any = Json::array();
-      for (const std::string& name : names) any.push_back({{"required", Json::array({name})}});
-      all.push_back({{"anyOf", any}});
-    }
-  }
-
-  static bool is_alternative(const ParamSpec& spec, const std::string& name) {
-    const auto names_it = [&](const std::vector<std::string>& names) {
-      return std::find(names.begin(), names.end(), name) != names.end();
-    };
-    return std::any_of(spec.exactly_one_of.begin(), spec.exactly_one_of.end(), names_it) ||
-           std::any_of(spec.at_most_one_of.begin(), spec.at_most_one_of.end(), names_it);
   }
 
   /// No two of a set of alternatives.
@@ -125,8 +72,8 @@ class SchemaWriter {
     return all;
   }
 
-  Json value(const ParamSpec& spec, Extent extent) const {
-    Json schema = bare_value(spec, extent);
+  Json value(const ParamSpec& spec) {
+    Json schema = bare_value(spec);
     std::string about = spec.doc;
     const auto add = [&](const std::string& text) { about += (about.empty() ? "" : "; ") + text; };
     if (spec.type == ParamType::quantity || spec.type == ParamType::quantity_list) add(dimension_name(spec.unit));
@@ -138,81 +85,52 @@ class SchemaWriter {
     return schema;
   }
 
-  Json bare_value(const ParamSpec& spec, Extent extent) const {
+  Json bare_value(const ParamSpec& spec) {
     switch (spec.type) {
       case ParamType::quantity:
-        if (!spec.per_bond) return quantity(spec);
-        return {{"anyOf", Json::array({quantity(spec), group(distribution_spec(spec), extent)})}};
+        if (!spec.per_bond) return quantity_schema(spec, definitions_);
+        return {{"anyOf", Json::array({quantity_schema(spec, definitions_), group(distribution_spec(spec))})}};
       case ParamType::quantity_list:
-        return list(quantity(spec), spec);
+        return list(quantity_schema(spec, definitions_), spec);
       case ParamType::integer:
-        return integer(spec);
+        return integer_schema(spec, definitions_);
       case ParamType::boolean:
         return {{"type", "boolean"}};
       case ParamType::text:
-        return text();
+        return &spec == listed_name_ ? text(own_name) : text();
       case ParamType::text_list:
         return list(text(), spec);
       case ParamType::path:
-        return {{"type", Json::array({"string", "number"})}};
+        return {{"type", Json::array({"string", "number"})}, {"minLength", 1}};
       case ParamType::choice:
         return choice(spec);
       case ParamType::group:
-        return group(spec, extent);
+        return group(spec);
       case ParamType::group_list:
         return list(list_item(spec), spec);
       case ParamType::plugin:
-        return plugin(spec, extent);
+        return plugin(spec, false);
       case ParamType::plugin_list:
-        return list(plugin(spec, Extent::whole, true), spec);
+        return list(whole(plugin(spec, true), needs_.of_plugin(spec)), spec);
       case ParamType::plugin_stack: {
-        Json one = plugin(spec, extent);
-        Json several = list(plugin(spec, Extent::whole), spec.as_given(true));
+        const Json several = list(whole(plugin(spec, true), needs_.of_plugin(spec)), spec.as_given(true));
+        Json one = {{"allOf", Json::array({plugin(spec, true)})}};
+        if (all_take_names(spec)) one["not"] = {{"required", Json::array({name_in_list().name})}};
         return {{"if", {{"type", "array"}}}, {"then", several}, {"else", one}};
       }
       case ParamType::group_map:
-        return {{"type", "object"}, {"additionalProperties", group(spec, extent)}};
+        return map(group(spec), spec);
       case ParamType::quantity_map:
-        return {{"type", "object"}, {"additionalProperties", quantity(spec)}};
+        return map(quantity_schema(spec, definitions_), spec);
       case ParamType::free_form:
         return {{"type", "object"}};
     }
     return true;
   }
 
-  /// A mapping, or the value of its only key.
-  Json list_item(const ParamSpec& spec) const {
-    const ParamSpec* const only_key = shorthand_member(spec);
-    if (!only_key) return group(spec, Extent::whole);
-    return {{"anyOf", Json::array({value(*only_key, Extent::whole), group(spec, Extent::whole)})}};
-  }
-
-  static Json text() { return {{"type", Json::array({"string", "number", "boolean"})}}; }
-
-  /// Editors that follow YAML 1.1 see a text in `1e5`: pure numbers may be texts as well.
-  static Json quantity(const ParamSpec& spec) {
-    const std::string number = number_pattern;
-    if (spec.unit != "1") return {{"type", "string"}, {"pattern", "^\\s*" + number + "\\s*[^\\s0-9,.].*$"}};
-    return with_range(
-        {{"type", Json::array({"number", "string"})}, {"pattern", "^\\s*" + number + "\\s*([^\\s0-9,.].*)?$"}}, spec);
-  }
-
-  /// `1e6` likewise.
-  static Json integer(const ParamSpec& spec) {
-    return with_range(
-        {{"type", Json::array({"integer", "string"})}, {"pattern", "^[-+]?[0-9]+\\.?[0-9]*[eE]\\+?[0-9]+$"}}, spec);
-  }
-
-  static Json with_range(Json schema, const ParamSpec& spec) {
-    if (spec.lower) schema[spec.lower->inclusive ? "minimum" : "exclusiveMinimum"] = spec.lower->value;
-    if (spec.upper) schema[spec.upper->inclusive ? "maximum" : "exclusiveMaximum"] = spec.upper->value;
-    return schema;
-  }
-
-  static Json list(Json item, const ParamSpec& spec) {
-    Json schema = {{"type", "array"}, {"items", std::move(item)}};
-    if (spec.min_items > 0) schema["minItems"] = spec.min_items;
-    if (spec.max_items != SIZE_MAX) schema["maxItems"] = spec.max_items;
+  static Json text(const char* pattern = nullptr) {
+    Json schema = {{"type", Json::array({"string", "number", "boolean"})}};
+    if (pattern) schema["pattern"] = pattern;
     return schema;
   }
 
@@ -227,28 +145,102 @@ class SchemaWriter {
     return {{"anyOf", any}};
   }
 
-  Json plugin(const ParamSpec& spec, Extent extent, bool in_list = false) const {
-    Json known = Json::array(), sections = Json::array();
-    for (const std::string& name : plugins_.names(spec.plugin_kind)) {
-      Json one = {{"const", name}}, section = {{"type", "object"}};
-      try {
-        const Documentation& doc = plugins_.documentation(spec.plugin_kind, name);
-        one["description"] = doc.summary;
-        add_members(section, in_list ? as_listed(doc.root) : doc.root, extent, name);
-      } catch (const UserError&) {
-        // It does not load on this machine; that is told where it is used.
-      }
-      known.push_back(one);
-      sections.push_back({{"if", has_type(name)}, {"then", section}});
-    }
-    // An empty anyOf or allOf is not valid: without plugins nothing is.
-    if (known.empty()) return {{"not", Json::object()}};
-    Json schema = {{"type", "object"}, {"properties", {{"type", {{"anyOf", known}}}}}, {"allOf", sections}};
-    if (extent == Extent::whole) schema["required"] = Json::array({"type"});
+  static Json list(Json item, const ParamSpec& spec) {
+    Json schema = {{"type", "array"}, {"items", std::move(item)}};
+    if (spec.min_items > 0) schema["minItems"] = spec.min_items;
+    if (spec.max_items != SIZE_MAX) schema["maxItems"] = spec.max_items;
     return schema;
   }
 
+  static Json map(Json item, const ParamSpec& spec) {
+    Json schema = {
+        {"type", "object"}, {"propertyNames", {{"pattern", own_name}}}, {"additionalProperties", std::move(item)}};
+    if (spec.min_items > 0) schema["minProperties"] = spec.min_items;
+    return schema;
+  }
+
+  static Json whole(Json part, const Json& needs) {
+    return needs.empty() ? part : Json{{"allOf", Json::array({std::move(part), needs})}};
+  }
+
+  /// A mapping, or the value of its only key. Items are never merged with those of a base: nothing may be missing.
+  Json list_item(const ParamSpec& spec) {
+    const Json item = whole(group(spec), needs_.of(spec));
+    const ParamSpec* const only_key = shorthand_member(spec);
+    return only_key ? Json{{"anyOf", Json::array({value(*only_key), item})}} : item;
+  }
+
+  /// A section of any plugin of the kind. Without `type`, which a base may have, it must suit one of them.
+  Json plugin(const ParamSpec& spec, bool listed) {
+    return definitions_.ref(spec.plugin_kind + (listed ? "_in_list" : ""), [&]() -> Json {
+      Json known = Json::array(), all = Json::array(), any = Json::array();
+      for (const std::string& name : plugins_.names(spec.plugin_kind)) {
+        Json one = {{"const", name}};
+        if (const auto about = summary(spec.plugin_kind, name)) one["description"] = *about;
+        known.push_back(one);
+        const Json section = section_of(spec.plugin_kind, name, listed);
+        all.push_back({{"if", SchemaNeeds::has_type(name)}, {"then", section}});
+        any.push_back(section);
+      }
+      // An empty anyOf or allOf is not valid: without plugins nothing is.
+      if (known.empty()) return {{"not", Json::object()}};
+      all.push_back({{"if", {{"not", {{"required", Json::array({"type"})}}}}}, {"then", {{"anyOf", any}}}});
+      return {{"type", "object"}, {"properties", {{"type", {{"anyOf", known}}}}}, {"allOf", all}};
+    });
+  }
+
+  std::optional<std::string> summary(const std::string& kind, const std::string& name) const {
+    try {
+      return plugins_.documentation(kind, name).summary;
+    } catch (const UserError&) { return {}; }  // it does not load on this machine; that is told where it is used
+  }
+
+  Json section_of(const std::string& kind, const std::string& name, bool listed) {
+    return definitions_.ref(kind + "_" + name + (listed ? "_in_list" : ""), [&]() -> Json {
+      try {
+        const ParamSpec& own = plugins_.documentation(kind, name).root;
+        if (!listed) return group(own, name);
+        const ParamSpec with_name = as_listed(own);
+        listed_name_ = takes_name(own) ? &with_name.members.front() : nullptr;
+        return group(with_name, name);
+      } catch (const UserError&) { return {{"type", "object"}}; }
+    });
+  }
+
+  bool all_take_names(const ParamSpec& spec) const {
+    const auto names = plugins_.names(spec.plugin_kind);
+    return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+      try {
+        return takes_name(plugins_.documentation(spec.plugin_kind, name).root);
+      } catch (const UserError&) { return false; }
+    });
+  }
+
+  /// A part of a workflow, which has no variants of its own.
+  Json variant(const ParamSpec& spec) {
+    ParamSpec part = spec;
+    std::erase_if(part.members, [](const ParamSpec& m) { return m.name == "base" || m.name == "variants"; });
+    return group(part);
+  }
+
+  /// In a variant of a workflow that names its plugin a section without `type` is that plugin's.
+  void add_types_of_variants(const ParamSpec& member, Json& all) {
+    const bool listed = member.type == ParamType::plugin_stack;
+    for (const std::string& name : plugins_.names(member.plugin_kind)) {
+      Json has_it = SchemaNeeds::has_type(name), has_none = {{"not", {{"required", Json::array({"type"})}}}};
+      has_it["type"] = has_none["type"] = "object";
+      const Json section = {{"if", has_none}, {"then", section_of(member.plugin_kind, name, listed)}};
+      all.push_back(
+          {{"if", {{"properties", {{member.name, has_it}}}, {"required", Json::array({member.name})}}},
+           {"then",
+            {{"properties", {{"variants", {{"additionalProperties", {{"properties", {{member.name, section}}}}}}}}}}}});
+    }
+  }
+
   const PluginDirectory& plugins_;
+  SchemaDefinitions definitions_;
+  SchemaNeeds needs_;
+  const ParamSpec* listed_name_ = nullptr;  ///< the `name` of the plugin that is being written
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "breccia/renderer.hpp"
 #include "engine/assembly.hpp"
 #include "engine/simulation.hpp"
+#include "plugin/drawing.hpp"
 #include "results/curve_table.hpp"
 #include "results/summary_table.hpp"
 #include "run/energy_check.hpp"
@@ -286,19 +287,12 @@ class Drive {
 
   std::vector<std::filesystem::path> draw() {
     if (!s_.renderer) return {};
-    try {
+    return drawn("charts", s_.renderer->type, Refusal::warns, host_, [&] {
       const auto renderer = registry_.create<Renderer>(*s_.renderer);
       return calling({Renderer::kind, s_.renderer->type}, "drawing", [&] {
         return renderer->compare({{{folder_, s_.law.names()}}, folder_}, host_);
       });
-    } catch (const Unavailable& e) { return without_charts(e); } catch (const UserError& e) {
-      return without_charts(e);
-    }
-  }
-
-  std::vector<std::filesystem::path> without_charts(const std::exception& e) {
-    host_.warn("no charts by renderer `" + s_.renderer->type + "`: " + e.what());
-    return {};
+    });
   }
 
   const DriveSettings& s_;

@@ -6,6 +6,7 @@
 
 #include "breccia/services.hpp"
 #include "drive/drive_path.hpp"
+#include "drive/drive_request.hpp"
 #include "plugin/registry.hpp"
 
 namespace breccia {
@@ -22,6 +23,12 @@ struct DriveSettings {
   int steps = 200;                                   ///< equal increments between two way points, at least
   std::optional<PluginChoice> renderer;              ///< of the charts
 };
+
+/// What is asked for, of the workflow or the law that it names, without charts. UserError for what cannot be.
+DriveSettings drive_settings(const DriveRequest& request, Registry& registry, Host& host);
+
+/// Force over displacement in each direction in which the path moves; none without the renderer `pictures`.
+std::optional<PluginChoice> drive_charts(const DrivePath& path, const Registry& registry, Host& host);
 
 /// Follows the path and writes curves.csv, summary.json and charts into `folder`, which is empty. Returns the files.
 ///

@@ -44,7 +44,8 @@ struct PairBatch {
   const Index* chunk_cut = nullptr;
   CutForce* cut = nullptr;
   Dissipated* dissipated = nullptr;     ///< added to: one per chunk and law, those of a chunk side by side
-  std::uint8_t* chunk_broke = nullptr;  ///< one per chunk, set when a bond in it broke
+  std::uint8_t* chunk_broke = nullptr;  ///< one per chunk, set when a bond in it broke, or released energy
+  double* released = nullptr;           ///< added to: what each pair releases as its bond breaks [J]; not kept if null
   double time_step = 0;
   const Cell* cell = nullptr;  ///< of a space that repeats itself; null where it does not
   const Mat3* cell_velocity = nullptr;

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "engine/cell_motion.hpp"
 #include "engine/law_probe.hpp"
@@ -103,6 +104,7 @@ void Simulation::deal_pairs() {
   partition_ = make_partition(state_, incidence_, chunks_, settings_.threads);
   chunk_dissipated_.assign(chunks_.size() * laws_.size(), {});
   chunk_broke_.assign(chunks_.size(), 0);
+  released_.assign(state_.pairs.size(), 0);
   if (state_.cell.repeats()) chunk_cell_forces_.resize(chunks_.size());
   if (const auto& guarded = state_.bonds.guarded; !guarded.empty()) {
     guarded_pairs_.assign(state_.pairs.size(), 0);
@@ -188,6 +190,7 @@ void Simulation::forces(bool to_be_viewed) {
   PairBatch all = whole_batch(s, columns_);
   all.dissipated = chunk_dissipated_.data();
   all.chunk_broke = chunk_broke_.data();
+  all.released = released_.data();
   all.chunk_start = chunks_.start.data();
   if (!laws_.has_kinds()) all.material = nullptr;  // nobody asks
   if (!guarded_pairs_.empty()) all.guarded = guarded_pairs_.data();
@@ -214,7 +217,7 @@ void Simulation::forces(bool to_be_viewed) {
     wall_forces(s, loads_);
 #pragma omp for schedule(static, 1)
     for (std::size_t t = 0; t < shares; ++t)
-      complete_forces(s, partition_.shares[t], partition_.cut.data(), incidence_, loads_);
+      complete_forces(s, partition_.shares[t], partition_, incidence_, loads_);
   }
   record_breaks();
   settle_led();
@@ -236,6 +239,11 @@ void Simulation::record_breaks() {
     chunk_broke_[c] = 0;
     for (std::size_t k = chunks_.start[c]; k < chunks_.start[c + 1]; ++k) {
       const Index b = s.pairs.bond[k];
+      if (const double energy = std::exchange(released_[k], 0); energy != 0 && b != PairsView::no_bond) {
+        if (s.bonds.released.empty()) s.bonds.released.assign(s.bonds.size(), 0);
+        s.bonds.released[b] += energy;
+        if (s.bonds.crack_of[b] != BondsView::no_crack) s.bonds.cracks[s.bonds.crack_of[b]].energy += energy;
+      }
       if (b == PairsView::no_bond || s.bonds.state[b] == s.pairs.state[k]) continue;
       const Index i = s.pairs.i[k];
       const Index j = s.pairs.j[k];
@@ -246,7 +254,8 @@ void Simulation::record_breaks() {
       broken_ += !is_broken(s.bonds.state[b]) && is_broken(s.pairs.state[k]);
       s.bonds.state[b] = s.pairs.state[k];
       const Vec3 normal = branch.normalized();
-      const Crack crack{s.time, s.particles.position()[i] + (s.particles.radius()[i] + half_gap) * normal, normal};
+      const Crack crack{s.time, s.particles.position()[i] + (s.particles.radius()[i] + half_gap) * normal, normal,
+                        s.bonds.released.empty() ? 0 : s.bonds.released[b]};
       Index& row = s.bonds.crack_of[b];
       if (row == BondsView::no_crack) {
         row = Index(s.bonds.cracks.size());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "breccia/services.hpp"
+#include "results/file_lock.hpp"
 
 namespace breccia {
 
@@ -21,20 +22,16 @@ struct FolderGone : UserError {
   using UserError::UserError;
 };
 
-/// A folder closed to other processes until this object goes. The lock is the system's, so that it ends with the
-/// process whatever ends that; the file `.breccia.lock` says who has it. Where the file system has no locks: a warning.
+/// A folder closed to other processes until this object goes; the file `.breccia.lock` says who has it. Where the file
+/// system has no locks: a warning.
 class FolderLock {
  public:
   /// The folder exists. FolderInUse with the other's process and host when another has it; UserError when nothing can
   /// be written.
   FolderLock(const std::filesystem::path& folder, Host& host);
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-  ~FolderLock();
 
  private:
-  std::filesystem::path name_;
-  int file_ = -1;
+  FileLock lock_;
 };
 
 /// What a results folder is for.

@@ -5,6 +5,7 @@
 
 #include <chrono>
 
+#include "archive/curves_file.hpp"
 #include "breccia/contact_law.hpp"
 #include "breccia/output.hpp"
 #include "breccia/postprocessor.hpp"
@@ -204,6 +205,7 @@ class Run {
     if (viewable_) attempt([&] { frames_->at(sim.view(), true); });
     attempt([&] { frames_->finish(); });
     curves_.close();
+    if (w_.curves.hdf5) attempt([&] { write_curves_hdf5(options_.folder / "curves.h5", curves_); });
   }
 
   RunParts parts() {

@@ -20,8 +20,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string hash_text(const std::string& text) { return sha256(std::as_bytes(std::span(text))); }
-
 /// The last part of a path, or all of it where another parameter ends in the same.
 std::string short_name(const std::vector<StudyParameter>& all, const std::string& path) {
   const auto last = [](const std::string& p) { return split_path(p).back().name; };
@@ -46,7 +44,7 @@ std::string fit_for_a_name(const std::string& text) {
 Json content_of(const fs::path& file) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return valid_utf8(file.string());
-  return hash_text(read_bytes(file));
+  return sha256(read_bytes(file));
 }
 
 std::string input_hash(Json config, const Registry& registry) {
@@ -55,7 +53,7 @@ std::string input_hash(Json config, const Registry& registry) {
   each_value(config, workflow_schema(), registry, [](const ParamSpec& spec, const std::string&, Json& value) {
     if (spec.type == ParamType::path) value = content_of(value.get<std::string>());
   });
-  return hash_text(json_text(config));
+  return sha256(json_text(config));
 }
 
 }  // namespace
@@ -127,7 +125,7 @@ void Sweep::name_cases() {
       std::string folder = fit_for_a_name(name);
       const bool is_long = folder.size() > 150;
       if (is_long) folder.resize(130);
-      if (is_long || names.contains(folder)) folder.append("_").append(hash_text(name), 0, 12);
+      if (is_long || names.contains(folder)) folder.append("_").append(sha256(name), 0, 12);
       names.insert(folder);
       cases_.push_back({cases_.size() + 1, p, w, folder});
     }

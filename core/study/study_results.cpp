@@ -7,6 +7,7 @@
 #include "breccia/text_file.hpp"
 #include "config/at_path.hpp"
 #include "config/suggest.hpp"
+#include "plugin/drawing.hpp"
 #include "plugin/guarded.hpp"
 #include "results/summary_keys.hpp"
 
@@ -235,9 +236,10 @@ StudyChart SweepTable::chart(const StudyChartConfig& config) const {
 
 namespace {
 
+/// What could not be drawn after some had been leaves those in `made`.
 void draw(const SweepTable& table, const Study& study, const PluginChoice& choice, const fs::path& folder, Host& host,
           std::vector<fs::path>& made) {
-  try {
+  drawn("charts", choice.type, Refusal::ends, host, [&] {
     const auto renderer = Registry().create<Renderer>(choice);
     for (const StudyChartConfig& config : study.charts) {
       if (host.cancelled()) throw Cancelled();
@@ -251,7 +253,8 @@ void draw(const SweepTable& table, const Study& study, const PluginChoice& choic
         host.warn("chart `" + config.file_name() + "` was not drawn: " + e.what());
       }
     }
-  } catch (const Unavailable& e) { host.warn("no charts by renderer `" + choice.type + "`: " + e.what()); }
+    return std::vector<fs::path>();  // all are in `made`
+  });
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ ShownUnit shown_unit(const std::string& unit, double largest) {
   return {std::pow(10.0, -3 * power), prefixes[power + 3] + unit};
 }
 
-Ticks nice_ticks(double low, double high, int count) {
+Ticks nice_ticks(double low, double high, int count, double least_step) {
   if (!(high > low)) return {};
   const double raw = (high - low) / std::max(count, 1), power = std::pow(10.0, std::floor(std::log10(raw)));
   double step = 10 * power;
@@ -120,7 +120,7 @@ Ticks nice_ticks(double low, double high, int count) {
       step = s * power;
       break;
     }
-  return ticks_at(low, high, step);
+  return ticks_at(low, high, std::max(step, least_step));
 }
 
 Ticks ticks_at(double low, double high, double step) {
@@ -145,6 +145,12 @@ std::string significant(double value, int digits) {
   char text[32];
   std::snprintf(text, sizeof text, "%.*g", digits, value);
   return text;
+}
+
+std::string whole_number(double v) {
+  std::string digits = std::to_string(std::llround(v));
+  for (int at = int(digits.size()) - 3; at > 0; at -= 3) digits.insert(std::size_t(at), "\u202f");
+  return digits;
 }
 
 }  // namespace breccia::pictures

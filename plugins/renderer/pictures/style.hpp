@@ -75,7 +75,8 @@ struct Ticks {
   std::vector<std::string> label;
   double step = 1;
 };
-Ticks nice_ticks(double low, double high, int count);
+/// Of whole numbers the least step is 1.
+Ticks nice_ticks(double low, double high, int count, double least_step = 0);
 /// The multiples of `step` within [low, high].
 Ticks ticks_at(double low, double high, double step);
 
@@ -84,5 +85,7 @@ std::string title(std::string name, const std::string& unit);
 
 /// printf's %.*g.
 std::string significant(double value, int digits);
+/// "12 345", with narrow blanks.
+std::string whole_number(double value);
 
 }  // namespace breccia::pictures
