@@ -26,6 +26,7 @@ MENU = [
         ("Parameter studies", "docs/sweeps.md"),
         ("Results in Python", "docs/python.md"),
         ("What is measured", "docs/measurements.md"),
+        ("Reports", "docs/reports.md"),
         ("Writing a contact law", "docs/writing_a_law.md"),
         ("Writing a plugin", "docs/writing_a_plugin.md"),
         ("The package", "docs/package.md"),
