@@ -49,6 +49,12 @@ std::string media_type(const fs::path& file) {
   return {};
 }
 
+bool begins_as_it_should(const fs::path& file, const std::string& bytes) {
+  if (has_ending(file, ".png")) return bytes.starts_with("\x89PNG\r\n\x1A\n");
+  if (has_ending(file, ".svg")) return bytes.find("<svg") != bytes.npos;
+  return bytes.starts_with("\xFF\xD8");  // JPEG
+}
+
 /// "upper_vtk/cracks" is told apart from "cracks".
 std::string stem_of(const std::string& file) { return (fs::path(file).parent_path() / fs::path(file).stem()).string(); }
 
@@ -58,6 +64,7 @@ Figure figure_of(const fs::path& folder, const std::string& file, const std::str
   f.name = stem_of(file);
   f.chart = has_ending(file, ".svg");
   const std::string bytes = read_bytes(folder / file), stem = fs::path(file).stem().string();
+  if (!begins_as_it_should(file, bytes)) throw UserError((folder / file).string() + " is not the picture that its name says");
   f.caption = caption_of(stem, registry, fields);
   std::string markup;
   if (f.chart) {

@@ -81,6 +81,11 @@ Texts texts_of_study(const ReportRequest& request, const Registry& registry, con
   return texts;
 }
 
+bool is_study_folder(const fs::path& folder) {
+  return !fs::exists(folder / "summary.json") &&
+         (kind_of_results(folder) == "study" || fs::is_directory(folder / "cases"));
+}
+
 void refuse_what_is_no_result(const fs::path& folder) {
   const std::string name = folder.string();
   if (!fs::exists(folder)) throw UserError("cannot read " + name + ": no such folder");
@@ -90,11 +95,7 @@ void refuse_what_is_no_result(const fs::path& folder) {
   if (kind_of_results(folder) == "comparison")
     throw UserError(
         name + " holds a comparison, which is a report already (comparison.md); give the folder of a run or a study");
-}
-
-bool is_study_folder(const fs::path& folder) {
-  return !fs::exists(folder / "summary.json") &&
-         (kind_of_results(folder) == "study" || fs::is_directory(folder / "cases"));
+  if (!is_study_folder(folder) && !fs::exists(folder / "summary.json")) (void)read_run_files(folder);  // says why
 }
 
 /// The page's name with another ending: several reports may stand in one folder.
@@ -102,6 +103,15 @@ fs::path methods_beside(const fs::path& page) {
   fs::path name = page.stem();
   name += ".methods.md";
   return page.parent_path() / name;
+}
+
+/// Nobody else changes the results while they are read.
+void close_to_others(std::optional<FolderLock>& lock, const fs::path& folder, Host& host) {
+  try {
+    lock.emplace(folder, host);
+  } catch (const FolderInUse&) { throw; } catch (const UserError& e) {
+    throw UserError(std::string(e.what()) + "; --output FILE writes the report elsewhere");
+  }
 }
 
 void refuse_to_overwrite(const std::vector<fs::path>& files) {
@@ -121,22 +131,23 @@ std::vector<fs::path> write_report(const ReportRequest& request, const Registry&
   std::vector<fs::path> files{elsewhere ? request.output : request.folder / page_file,
                               elsewhere ? methods_beside(request.output) : request.folder / methods_file};
   if (!elsewhere) files.push_back(request.folder / crate_file);
+  const fs::path home = fs::absolute(files[0]).parent_path();
   if (fs::is_directory(files[0]))
     throw UserError(files[0].string() + " is a folder; a file is needed, such as " + (files[0] / page_file).string());
+  if (!fs::is_directory(home)) throw UserError("cannot write " + files[0].string() + ": there is no such folder");
   if (!request.overwrite) refuse_to_overwrite(files);
+  std::error_code unknown;
+  const bool among_results = fs::equivalent(home, request.folder, unknown);
+  std::optional<FolderLock> lock;
+  if (among_results) {
+    close_to_others(lock, home, host);
+    check_additions(home, files);
+  }
 
   const ReportFacts facts{request.authors, request.licence, today()};
   Texts texts = is_study_folder(request.folder) ? texts_of_study(request, registry, facts, host)
                                                 : texts_of_run(request, registry, facts, host);
   if (host.cancelled()) throw Cancelled();
-  const fs::path home = fs::absolute(files[0]).parent_path();
-  std::optional<FolderLock> lock;
-  std::error_code unknown;
-  const bool among_results = fs::equivalent(home, request.folder, unknown);
-  if (among_results) {
-    lock.emplace(home, host);
-    check_additions(home, files);
-  }
   write_file(files[0], texts.page);
   write_file(files[1], texts.methods);
   if (!elsewhere) {

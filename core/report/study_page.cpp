@@ -51,7 +51,8 @@ bool is_seed(const StudyColumn& c) { return c.key == "seed" || c.key.ends_with("
 std::vector<std::size_t> values_that_differ(const StudyFiles& study) {
   std::vector<std::size_t> all;
   for (std::size_t k = 0; k < study.values.size(); ++k)
-    if (const Scatter s = scatter_of(study.numbers(k)); s.count > 0 && (s.count == 1 || s.least != s.largest))
+    if (is_seed(study.values[k])) continue;
+    else if (const Scatter s = scatter_of(study.numbers(k)); s.count > 0 && (s.count == 1 || s.least != s.largest))
       all.push_back(k);
   return all;
 }
@@ -89,7 +90,7 @@ std::string scatter_table(const StudyFiles& study) {
       .column("Largest", Table::Is::number);
   for (std::size_t k = 0; k < study.values.size(); ++k) {
     const Scatter s = scatter_of(study.numbers(k));
-    if (s.count == 0) continue;
+    if (s.count == 0 || is_seed(study.values[k])) continue;  // a number of no size
     const Shown shown = shown_value(study, k);
     table.row({escaped(shown.title()), std::to_string(s.count), shown.number(s.mean), shown.number(s.deviation),
                shown.number(s.least), shown.number(s.largest)});

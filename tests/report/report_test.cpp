@@ -149,6 +149,8 @@ TEST_F(Report, PicturesOfTheRunAreInIt) {
   fs::remove(folder_ / "run/curves.csv");
   const Result r = call("report run --overwrite");
   EXPECT_EQ(r.code, 0) << r.text;
+  EXPECT_NE(r.text.find("stress_strain.png is not the picture that its name says"), std::string::npos) << r.text;
+  EXPECT_EQ(page().find("data:image/png"), std::string::npos);
   EXPECT_NE(page().find("The curves (curves.csv) are not in the folder"), std::string::npos);
 }
 
@@ -195,7 +197,7 @@ TEST_F(Report, ElsewhereTheResultsAreLeftAlone) {
   EXPECT_TRUE(fs::exists(folder_ / "mine.methods.md"));
   EXPECT_FALSE(fs::exists(folder_ / "ro-crate-metadata.json"));
   expect_refused("run -o .", ". is a folder; a file is needed");
-  expect_refused("run -o nowhere/x.html", "nowhere/x.html");
+  expect_refused("run -o nowhere/x.html", "cannot write nowhere/x.html: there is no such folder");
 }
 
 TEST_F(Report, NothingIsReplacedUnlessAsked) {
