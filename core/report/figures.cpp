@@ -64,7 +64,8 @@ Figure figure_of(const fs::path& folder, const std::string& file, const std::str
   f.name = stem_of(file);
   f.chart = has_ending(file, ".svg");
   const std::string bytes = read_bytes(folder / file), stem = fs::path(file).stem().string();
-  if (!begins_as_it_should(file, bytes)) throw UserError((folder / file).string() + " is not the picture that its name says");
+  if (!begins_as_it_should(file, bytes))
+    throw UserError((folder / file).string() + " is not the picture that its name says");
   f.caption = caption_of(stem, registry, fields);
   std::string markup;
   if (f.chart) {

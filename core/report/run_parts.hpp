@@ -9,6 +9,9 @@
 
 namespace breccia::report {
 
+/// Of the numbers at the top of a summary: stands behind strength and stiffness, which readers look for first.
+bool is_secondary(const std::string& key);
+
 // What was measured (run_results.cpp).
 std::string tiles(const RunFiles& run);           ///< a few numbers at a glance
 std::string results_table(const RunFiles& run);   ///< beside the reference values, which are said to be what they are

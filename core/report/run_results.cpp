@@ -45,9 +45,7 @@ std::vector<Result> headline_results(const RunFiles& run) {
     const bool compared = reference.is_object() && reference.contains(key) && reference[key].is_number();
     all.push_back({key, capital(title), unit, value, compared ? reference[key] : Json()});
   }
-  // Strength and stiffness are asked for first; cracks have a part of their own.
-  const auto is_damage = [](const Result& r) { return r.key.starts_with("bonds_broken") || r.key == "global_damage"; };
-  std::stable_partition(all.begin(), all.end(), [&](const Result& r) { return !is_damage(r); });
+  std::stable_partition(all.begin(), all.end(), [](const Result& r) { return !is_secondary(r.key); });
   return all;
 }
 
@@ -70,6 +68,11 @@ std::string reference_note(const RunFiles& run) {
 }
 
 }  // namespace
+
+bool is_secondary(const std::string& key) {
+  return key.starts_with("bonds_broken") || key == "global_damage" || key == "energy_error" ||
+         keys_of_specimen().contains(key);
+}
 
 std::string tiles(const RunFiles& run) {
   std::string out;
@@ -200,7 +203,8 @@ std::string energy_part(const RunFiles& run) {
 }
 
 std::string other_numbers(const RunFiles& run) {
-  static const std::set<std::string> told{"packing", "energy", "damage", "reference", "units", "values", "format", "environment"};
+  static const std::set<std::string> told{"packing", "energy", "damage", "reference",
+                                          "units",   "values", "format", "environment"};
   Table table("Numbers of each plugin");
   table.column("Name in summary.json").column("Value", Table::Is::number);
   for (const auto& [owner, section] : run.summary.items()) {

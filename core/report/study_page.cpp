@@ -47,13 +47,22 @@ Shown shown_value(const StudyFiles& study, std::size_t k) { return {study.values
 
 bool is_seed(const StudyColumn& c) { return c.key == "seed" || c.key.ends_with(".seed"); }
 
-/// Those that differ among the cases; of the others one number says all.
-std::vector<std::size_t> values_that_differ(const StudyFiles& study) {
+/// Strength and stiffness first; seeds are numbers of no size.
+std::vector<std::size_t> values_in_order(const StudyFiles& study) {
   std::vector<std::size_t> all;
   for (std::size_t k = 0; k < study.values.size(); ++k)
-    if (is_seed(study.values[k])) continue;
-    else if (const Scatter s = scatter_of(study.numbers(k)); s.count > 0 && (s.count == 1 || s.least != s.largest))
-      all.push_back(k);
+    if (!is_seed(study.values[k]) && !study.numbers(k).empty()) all.push_back(k);
+  std::stable_partition(all.begin(), all.end(), [&](std::size_t k) { return !is_secondary(study.values[k].key); });
+  return all;
+}
+
+/// Those that differ among the cases, by more than rounding; of the others one number says all.
+std::vector<std::size_t> values_that_differ(const StudyFiles& study) {
+  std::vector<std::size_t> all;
+  for (const std::size_t k : values_in_order(study)) {
+    const Scatter s = scatter_of(study.numbers(k));
+    if (s.count == 1 || s.largest - s.least > 1e-12 * std::abs(s.mean)) all.push_back(k);
+  }
   return all;
 }
 
@@ -88,9 +97,9 @@ std::string scatter_table(const StudyFiles& study) {
       .column("Standard deviation", Table::Is::number)
       .column("Least", Table::Is::number)
       .column("Largest", Table::Is::number);
-  for (std::size_t k = 0; k < study.values.size(); ++k) {
-    const Scatter s = scatter_of(study.numbers(k));
-    if (s.count == 0 || is_seed(study.values[k])) continue;  // a number of no size
+  for (const std::size_t k : values_in_order(study)) {
+    Scatter s = scatter_of(study.numbers(k));
+    if (s.deviation < 1e-12 * std::abs(s.mean)) s.deviation = 0;  // of rounding
     const Shown shown = shown_value(study, k);
     table.row({escaped(shown.title()), std::to_string(s.count), shown.number(s.mean), shown.number(s.deviation),
                shown.number(s.least), shown.number(s.largest)});
