@@ -61,8 +61,8 @@ std::string distribution_text(const Json& written) {
 
 std::string number_text(double value, int digits) {
   if (!std::isfinite(value)) return std::isnan(value) ? "–" : value < 0 ? "−∞" : "∞";
-  if (value == std::round(value) && std::abs(value) < 1e7) return fmt::format("{:.0f}", value + 0.0);
-  std::string text = fmt::format("{:.{}g}", value, digits);
+  const bool is_count = value == std::round(value) && std::abs(value) < 1e7;
+  std::string text = is_count ? fmt::format("{:.0f}", value + 0.0) : fmt::format("{:.{}g}", value, digits);
   if (const std::size_t e = text.find('e'); e != text.npos) {
     const int power = std::stoi(text.substr(e + 1));
     text = text.substr(0, e) + "\u00A0×\u00A010" + raised(power);

@@ -73,10 +73,11 @@ TEST(Numbers, AsResolvedYamlHasThem) {
 }
 
 TEST(Svg, IdsAreMadeUniqueAndTheSizeIsThePages) {
-  const auto made = inline_svg(R"(<?xml version="1.0"?><svg xmlns="http://www.w3.org/2000/svg" width="20" height="10">
+  const auto made =
+      inline_svg(R"svg(<?xml version="1.0"?><svg xmlns="http://www.w3.org/2000/svg" width="20" height="10">
 <title>load &amp; more</title><defs><clipPath id="a"><rect width="1" height="1"/></clipPath></defs>
-<g clip-path="url(#a)"><use href="#a"/></g></svg>)",
-                               "f1-", "fallback");
+<g clip-path="url(#a)"><use href="#a"/></g></svg>)svg",
+                 "f1-", "fallback");
   ASSERT_TRUE(made);
   EXPECT_EQ(made->title, "load & more");
   for (const char* part : {"id=\"f1-a\"", "url(#f1-a)", "href=\"#f1-a\"", "viewBox=\"0 0 20 10\"", "role=\"img\"",

@@ -126,13 +126,13 @@ TEST_F(Report, TheCrateHasItsRequiredEntities) {
 
 TEST_F(Report, NamesOfUsersAreTexts) {
   make_run(
-      "--set 'name=<b>x</b> & \"y\"' --set 'description=</h1><script>alert(1)</script>' --set 'reference={source: "
+      "--set 'name=<b>x & \"y\"' --set 'description=</h1><script>alert(1)</script>' --set 'reference={source: "
       "\"<i>z</i>\"}'");
   ASSERT_EQ(call("report run --author '<u>N</u>' --licence '<s>'").code, 0);
   const std::string html = page();
   for (const char* tag : {"<script", "<b>x", "<i>z", "<u>N", "<s>"})
     EXPECT_EQ(html.find(tag), std::string::npos) << tag;
-  EXPECT_NE(html.find("&lt;b&gt;x&lt;/b&gt; &amp; &quot;y&quot;"), std::string::npos);
+  EXPECT_NE(html.find("&lt;b&gt;x &amp; &quot;y&quot;"), std::string::npos);
   EXPECT_TRUE(Json::accept(content(folder_ / "run/ro-crate-metadata.json")));
 }
 
