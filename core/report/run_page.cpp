@@ -11,7 +11,7 @@ namespace {
 /// What was tested, in one line: the kind of the test and the specimen.
 std::string lead(const RunFiles& run) {
   const Json test = run.given("protocol.type");
-  std::string text = test.is_string() ? capital(readable(test.get<std::string>())) + " of " : "A specimen of ";
+  std::string text = test.is_string() ? capital(readable(test.get<std::string>())) + " test of " : "A specimen of ";
   text += number_text(run.number("particles")) + (run.given("dimension") == 2 ? " discs" : " spheres") + " and " +
           number_text(run.number("bonds")) + " bonds";
   std::string laws;

@@ -34,7 +34,7 @@ StudyColumn input_column(const std::string& header, const Json& input) {
       const std::string text = written.get<std::string>();
       if (const std::size_t space = text.find(' '); space != text.npos) unit = text.substr(space + 1);
     }
-    if (ResultName(path, unit).key() == header) return {header, readable(split_path(path).back().name), unit};
+    if (ResultName(path, unit).key() == header) return {header, readable(split_path(path).back().name), unit, path};
   }
   return {header, header, ""};
 }
@@ -44,7 +44,7 @@ void tell_apart(std::vector<StudyColumn>& columns) {
   std::multiset<std::string> titles;
   for (const StudyColumn& c : columns) titles.insert(c.title);
   for (StudyColumn& c : columns)
-    if (titles.count(c.title) > 1) c.title = c.key;
+    if (titles.count(c.title) > 1) c.title = c.path;
 }
 
 std::size_t position(const std::vector<std::string>& header, const char* name, const fs::path& file) {

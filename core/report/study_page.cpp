@@ -84,7 +84,7 @@ std::string varied_table(const StudyFiles& study) {
     } else {
       for (const Json& v : values) text += (text.empty() ? "" : ", ") + shown.cell(v);
     }
-    table.row({escaped(shown.title()), text, "<code>" + escaped(study.inputs[k].key) + "</code>"});
+    table.row({escaped(shown.title()), text, "<code>" + escaped(study.inputs[k].path) + "</code>"});
   }
   return table.html();
 }

@@ -53,7 +53,7 @@ TEST_F(Report, TellsWhatTheFilesSay) {
   for (const std::string& part :
        {std::string("A. Name"), std::string("Reference values: A paper"), std::string("20\u00A0MPa"),
         s["environment"]["host"].get<std::string>(), s["environment"]["compiler"].get<std::string>(),
-        std::string("Uniaxial compression of 128 spheres"), std::string("tensile strength of the bond material"),
+        std::string("Uniaxial compression test of 128 spheres"), std::string("tensile strength of the bond material"),
         std::string("licence: CC-BY-4.0")})
     EXPECT_NE(text.find(part), std::string::npos) << part;
   // The whole input, and the hash of each plugin that made the results.
