@@ -229,6 +229,12 @@ TEST_F(Report, WhatIsNoRunIsNamed) {
   write("drive/summary.json", R"({"workflow": )");
   expect_refused("drive", "drive/summary.json is damaged");
   EXPECT_FALSE(fs::exists(folder_ / "drive/report.html"));
+  // As a killed run leaves it.
+  fs::create_directories(folder_ / "killed/unfinished");
+  write("killed/unfinished/breccia.json",
+        R"({"format": "breccia results 1", "kind": "run", "finished": false, "files": []})");
+  expect_refused("killed", "the run in killed has not come to an end");
+  for (const char* folder : {"empty", "killed"}) EXPECT_FALSE(fs::exists(folder_ / folder / ".breccia.lock")) << folder;
 }
 
 }  // namespace
