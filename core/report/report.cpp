@@ -5,10 +5,10 @@
 #include <ctime>
 #include <set>
 
+#include "breccia/atomic_file.hpp"
 #include "report/crate.hpp"
 #include "report/methods.hpp"
 #include "report/run_parts.hpp"
-#include "results/atomic_file.hpp"
 #include "results/results_folder.hpp"
 
 namespace breccia::report {

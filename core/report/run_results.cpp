@@ -196,7 +196,7 @@ std::string energy_part(const RunFiles& run) {
 }
 
 std::string other_numbers(const RunFiles& run) {
-  static const std::set<std::string> told{"packing", "energy", "damage", "reference", "units", "environment"};
+  static const std::set<std::string> told{"packing", "energy", "damage", "reference", "units", "values", "format", "environment"};
   Table table("Numbers of each plugin");
   table.column("Name in summary.json").column("Value", Table::Is::number);
   for (const auto& [owner, section] : run.summary.items()) {

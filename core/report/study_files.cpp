@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "config/yaml_tree.hpp"
 #include "report/quantity.hpp"
 #include "results/results_folder.hpp"
 #include "results/summary_keys.hpp"
