@@ -20,8 +20,7 @@ class PathSchema {
     for (const ParamSpec& member : root.members) {
       if (member.name == "base") continue;
       if (member.name == "variants") {  // `variant` does as well: a name, or one of the study's own
-        const Json own = {{"type", "object"}, {"additionalProperties", writer_.variant(root)}, {"maxProperties", 1}};
-        add("variants?", {{"anyOf", Json::array({Json{{"type", "string"}}, own})}});
+        add("variants?", {{"type", Json::array({"string", "object"})}});
         continue;
       }
       add_value(member, member.name);
@@ -45,7 +44,6 @@ class PathSchema {
   }
 
   void add_plugins(const ParamSpec& spec, const std::string& path, bool listed) {
-    add(path, writer_.plugin(spec, listed));
     Json names = Json::array();
     for (const std::string& name : plugins_.names(spec.plugin_kind)) {
       names.push_back(name);
@@ -59,41 +57,48 @@ class PathSchema {
     add(path + "\\.type", {{"enum", names}});
   }
 
+  /// Sections as a whole are rare in studies, and would make the schema as large as that of workflows.
+  void add_section(const std::string& path, const char* type) { add(path, {{"type", type}}); }
+
   void add_value(const ParamSpec& spec, const std::string& path) {
+    ParamSpec one = spec;
     switch (spec.type) {
       case ParamType::plugin:
+        add_section(path, "object");
         return add_plugins(spec, path, false);
       case ParamType::plugin_list:
-        add(path, writer_.bare_value(spec));
+        add_section(path, "array");
+        add_section(path + item, "object");
         return add_plugins(spec, path + item, true);
       case ParamType::plugin_stack:
-        add(path, writer_.bare_value(spec));
+        add(path, {{"type", Json::array({"array", "object"})}});
+        add_section(path + item, "object");
         return add_plugins(spec, path + item + "?", true);
-      case ParamType::group_list: {
-        add(path, writer_.bare_value(spec));
-        ParamSpec one = spec;
+      case ParamType::group_list:
+        add_section(path, "array");
         one.type = ParamType::group;
         return add_value(one, path + item);
-      }
       case ParamType::group:
-        add(path, writer_.bare_value(spec));
+        add_section(path, "object");
         return add_members(spec, path);
       case ParamType::group_map:
-        add(path, writer_.bare_value(spec));
+        add_section(path, "object");
         return add_members(spec, path + any_name);
+      case ParamType::quantity_map:
+        add_section(path, "object");
+        one.type = ParamType::quantity;
+        return add(path + any_name, writer_.bare_value(one));
       case ParamType::quantity_list:
       case ParamType::text_list:
-      case ParamType::quantity_map: {
         add(path, writer_.bare_value(spec));
-        ParamSpec one = spec;
         one.type = spec.type == ParamType::text_list ? ParamType::text : ParamType::quantity;
-        return add(path + (spec.type == ParamType::quantity_map ? any_name : item), writer_.bare_value(one));
-      }
-      case ParamType::quantity: {
-        add(path, writer_.bare_value(spec));
-        if (spec.per_bond) add_members(distribution_spec(spec), path);
-        return;
-      }
+        return add(path + item, writer_.bare_value(one));
+      case ParamType::quantity:
+        one.per_bond = false;
+        add(path, writer_.bare_value(one));
+        if (!spec.per_bond) return;
+        add_section(path, "object");
+        return add_members(distribution_spec(spec), path);
       case ParamType::free_form:
         return add(path + "(?:[.\\[].+)?", true);
       default:

@@ -80,7 +80,7 @@ const in_study = [
   ['grid', 'materials.quartz.density', ['2650 kg/m3'], ''], ['grid', 'seed', [1, 2], ''], ['grid', 'seed', [-1], 'refused'],
   ['grid', 'variants', ['small', 'large'], ''], ['list', 'damping.translational', [0.1, 1.1], 'refused'], ['grid', 'seed', [], 'refused'],
   ['fixed', 'outputs', [], ''], ['fixed', 'protocol.max_strain', '1 %', ''], ['fixed', 'protocol.max_strain', '1 MPa', 'refused'],
-  ['fixed', 'engine', { skin: 0.2 }, ''], ['fixed', 'engine', { skim: 0.2 }, 'refused'], ['fixed', 'reference.strength_Pa', 3e6, ''],
+  ['fixed', 'engine', { skin: 0.2 }, ''], ['fixed', 'engine', 0.2, 'refused'], ['fixed', 'engine.skim', 0.2, 'refused'], ['fixed', 'reference.strength_Pa', 3e6, ''],
 ];
 for (const [section, parameter, value, expected] of in_study) {
   const text = YAML.stringify({ workflow: 'w.yaml', grid: { seed: [1, 2] }, [section]: { [parameter]: value } });
