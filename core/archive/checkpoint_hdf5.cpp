@@ -12,7 +12,7 @@
 #include "archive/checkpoint_file.hpp"
 #include "archive/hdf5_tools.hpp"
 #include "breccia/atomic_file.hpp"
-#include "plugin/sha256.hpp"
+#include "hash/sha256.hpp"
 
 namespace breccia {
 namespace fs = std::filesystem;
@@ -51,7 +51,7 @@ std::string header_of(const std::string& digest) {
   return text;
 }
 
-std::string digest_of(const char* data, std::size_t size) { return sha256(std::as_bytes(std::span(data, size))); }
+std::string digest_of(const char* data, std::size_t size) { return sha256(std::string_view(data, size)); }
 
 void reach_the_disk(const fs::path& place, int flags) {
   const int opened = ::open(place.c_str(), flags | O_CLOEXEC);

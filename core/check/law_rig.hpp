@@ -6,7 +6,7 @@
 #include <random>
 
 #include "breccia/contact_law.hpp"
-#include "run/guarded_law.hpp"
+#include "workflow/guarded_law.hpp"
 
 namespace breccia {
 

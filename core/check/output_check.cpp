@@ -8,7 +8,7 @@
 #include "check/example.hpp"
 #include "check/files.hpp"
 #include "check/made_specimen.hpp"
-#include "output/temporary_folder.hpp"
+#include "results/temporary_folder.hpp"
 
 namespace breccia {
 namespace {

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
+#include "breccia/atomic_file.hpp"
 #include "breccia/packing_tools/radius_distribution.hpp"
 #include "check/example.hpp"
 #include "check/made_specimen.hpp"
 #include "config/problem.hpp"
-#include "output/atomic_file.hpp"
 
 namespace breccia {
 namespace {

@@ -12,7 +12,7 @@
 #include "check/packing_cases.hpp"
 #include "check/packing_measures.hpp"
 #include "engine/specimen.hpp"
-#include "output/temporary_folder.hpp"
+#include "results/temporary_folder.hpp"
 
 namespace breccia {
 namespace {

@@ -8,7 +8,8 @@
 #include "check/check.hpp"
 #include "check/example.hpp"
 #include "check/files.hpp"
-#include "output/temporary_folder.hpp"
+#include "results/temporary_folder.hpp"
+#include "run/load_workflow.hpp"
 #include "run/runner.hpp"
 
 namespace breccia {

@@ -3,26 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "cli/console.hpp"
 #include "cli/plugin_name.hpp"
 #include "cli/verbs.hpp"
-#include "config/suggest.hpp"
 
 namespace breccia::cli {
 namespace {
 
 constexpr const char* takes = "check takes KIND/NAME (see `breccia list`) or NAME";
-
-void refuse_kind(const Registry& registry, const std::string& written) {
-  const std::vector<std::string>& kinds = registry.kinds();
-  if (std::find(kinds.begin(), kinds.end(), written) == kinds.end()) return;
-  std::vector<std::string> full;
-  for (const std::string& name : registry.names(written)) full.push_back(written + "/" + name);
-  throw UserError("`" + written + "` is a kind of plugin, and one plugin is checked at a time: " +
-                  (full.empty() ? "none of this kind was found" : "write one of " + list_of(full, 20)));
-}
 
 void print(const CheckFinding& f) {
   using Outcome = CheckFinding::Outcome;
@@ -38,7 +26,7 @@ int check(const CheckArguments& a) {
   Registry registry;
   for (const std::string& w : registry.warnings()) console.warn(w);
   for (const auto& plugin : a.plugins) registry.add(plugin);
-  refuse_kind(registry, a.plugin);
+  refuse_a_kind(registry, a.plugin);
   const auto [kind, name] = plugin_named(registry, a.plugin, {}, takes);
   const PluginInfo& info = registry.info(kind, name);
   fmt::print("{}/{} {} ({})\n", kind, name, info.version, info.file.string());

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cstring>
 #include <map>
 
 #include "cli/verbs.hpp"
@@ -24,6 +26,7 @@ const std::map<std::string, Offer>& vocabulary() {
       {"CHECKPOINT", {{}, {"h5"}, true, ""}},
       {"LIBRARY", {{}, {"so"}, true, ""}},
       {"CSV", {{}, {"csv"}, false, ""}},
+      {"HTML", {{}, {"html"}, false, ""}},
       {"KIND", {{}, {}, false, "KIND"}},
       {"PLUGIN", {{}, {}, false, "KIND/NAME"}},
       {"TOPIC", {{"workflow", "sweep"}, {}, false, "KIND/NAME"}},
@@ -108,6 +111,12 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 }
 
 std::string quoted(const std::string& text) { return "'" + replaced(text, "'", "'\\''") + "'"; }
+
+std::string shell_word(const std::string& text) {
+  const auto plain = [](unsigned char c) { return std::isalnum(c) || (c && std::strchr("_./+-=:,@%", c)); };
+  if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
+  return quoted(text);
+}
 
 int command_texts(const CLI::App& app, const std::string& form) {
   const CommandModel model = command_model(app);

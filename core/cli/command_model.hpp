@@ -48,5 +48,7 @@ std::string words_of(const std::vector<std::string>& values);  ///< each behind 
 std::string replaced(std::string text, const std::string& what, const std::string& with);
 /// In single quotes, as all three shells read them.
 std::string quoted(const std::string& text);
+/// The same, left as it is where no shell sees anything in it.
+std::string shell_word(const std::string& text);
 
 }  // namespace breccia::cli

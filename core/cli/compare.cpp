@@ -1,29 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/compare.hpp"
-
-#include <algorithm>
+#include "compare/compare.hpp"
 
 #include "cli/console.hpp"
-#include "cli/renderer_settings.hpp"
 #include "cli/verbs.hpp"
-#include "output/results_folder.hpp"
+#include "plugin/drawing.hpp"
+#include "results/results_folder.hpp"
 
 namespace breccia::cli {
 namespace {
 
 /// None when the user named no renderer and this installation has no pictures.
 std::optional<PluginChoice> charts(const CompareArguments& a, const Registry& registry, Host& host) {
-  std::string type = a.renderer;
-  if (type.empty()) {
-    type = "pictures";
-    const std::vector<std::string> names = registry.names("renderer");
-    if (std::find(names.begin(), names.end(), type) == names.end()) {
-      if (!a.overrides.empty()) throw UserError("--set has no effect: the renderer `pictures` is not installed");
-      host.warn("no charts: the renderer `pictures` is not installed");
-      return {};
-    }
-  }
-  return renderer_settings(type, a.overrides, registry);
+  return a.renderer.empty() ? usual_renderer(a.overrides, registry, host)
+                            : renderer_settings(a.renderer, a.overrides, registry);
 }
 
 }  // namespace

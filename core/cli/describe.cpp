@@ -4,35 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <tuple>
 
-#include "breccia/error.hpp"
-#include "cli/plugin_name.hpp"
+#include "cli/topic.hpp"
 #include "cli/verbs.hpp"
-#include "config/listed_plugin.hpp"
-#include "run/sweep_study.hpp"
-#include "run/workflow.hpp"
 
 namespace breccia::cli {
 namespace {
-
-/// Whether it lies where Breccia's own plugins are, and is of this version.
-bool is_shipped(const PluginInfo& info) {
-  namespace fs = std::filesystem;
-  for (const PluginFolder& folder : default_plugin_folders()) {
-    std::error_code unknown;
-    if (folder.named_by.empty() && fs::equivalent(folder.path, info.file.parent_path(), unknown))
-      return info.version == BRECCIA_VERSION;
-  }
-  return false;
-}
-
-/// Whether workflows have a list of such plugins.
-bool is_listed(const std::string& kind) {
-  const auto& sections = workflow_schema().members;
-  return std::any_of(sections.begin(), sections.end(),
-                     [&](const ParamSpec& s) { return s.type == ParamType::plugin_list && s.plugin_kind == kind; });
-}
 
 /// The plugins of a kind with what they do.
 int describe_kind(const Registry& registry, const std::string& kind, const std::string& format) {
@@ -54,38 +31,14 @@ int describe_kind(const Registry& registry, const std::string& kind, const std::
 
 }  // namespace
 
-int describe(const std::string& plugin, const std::string& format) {
+int describe(const std::string& written, const std::string& format) {
   Registry registry;
-  std::string kind = "", name = plugin;
-  std::string origin;
-  Documentation doc;
-  if (plugin == "workflow") {
-    Schema<Workflow> schema;
-    Workflow::describe(schema);
-    doc = schema.documentation();
-  } else if (plugin == "sweep") {
-    Schema<Study> schema;
-    Study::describe(schema);
-    doc = schema.documentation();
-  } else {
-    const std::vector<std::string>& kinds = registry.kinds();
-    if (std::find(kinds.begin(), kinds.end(), plugin) != kinds.end()) return describe_kind(registry, plugin, format);
-    std::tie(kind, name) =
-        plugin_named(registry, plugin, {"workflow", "sweep"},
-                     "describe takes KIND/NAME (see `breccia list`), NAME, KIND, `workflow` or `sweep`");
-    doc = registry.documentation(kind, name);
-    if (is_listed(kind)) doc.root = as_listed(doc.root);
-    const PluginInfo& info = registry.info(kind, name);
-    if (!is_shipped(info)) {
-      origin = "file: " + info.file.string() + "\nversion: " + info.version + "\n";
-      // The schema's own default is Breccia's licence: of another author's plugin it says nothing.
-      if (doc.licence == Documentation().licence) doc.licence.clear();
-    }
-  }
+  const std::vector<std::string>& kinds = registry.kinds();
+  if (std::find(kinds.begin(), kinds.end(), written) != kinds.end()) return describe_kind(registry, written, format);
+  const auto [kind, name, doc, origin] = topic_named(registry, written);
   if (format == "json") fmt::print("{}\n", describe_json(kind, name, doc).dump(2));
-  else
-    fmt::print("{}{}", format == "text" ? origin : "",
-               format == "markdown" ? describe_markdown(kind, name, doc) : describe_text(kind, name, doc));
+  else if (format == "markdown") fmt::print("{}", describe_markdown(kind, name, doc));
+  else fmt::print("{}{}", origin, describe_text(kind, name, doc));
   return ok;
 }
 

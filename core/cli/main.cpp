@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <sys/auxv.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -92,6 +93,7 @@ void set_environment_of_libraries(char** argv) {
 int main(int argc, char** argv) {
   end_plainly_without_memory();
   set_environment_of_libraries(argv);
+  prctl(PR_SET_NAME, "breccia");  // what `top` shows: it would be the last part of /proc/self/exe
   try {
     const int code = dispatch(argc, argv);
     // A reader that has seen enough (`| head`) is no error; a full disk is.

@@ -2,30 +2,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <cstring>
 
 #include "breccia/utf8.hpp"
 #include "cli/command_model.hpp"
 #include "cli/verbs.hpp"
 #include "plugin/registry.hpp"
-#include "run/scaffold.hpp"
+#include "scaffold/scaffold.hpp"
 
 namespace breccia::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// As a shell takes it.
-std::string word(const std::string& text) {
-  const auto plain = [](unsigned char c) { return std::isalnum(c) || (c && std::strchr("_./+-=:,@%", c)); };
-  if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
-  return quoted(text);
-}
-
 /// Where this program's package is, for CMake; empty where CMake looks by itself.
 std::string prefix_option(const fs::path& prefix) {
-  return prefix == "/usr" || prefix == "/usr/local" ? "" : " -DCMAKE_PREFIX_PATH=" + word(prefix.string());
+  return prefix == "/usr" || prefix == "/usr/local" ? "" : " -DCMAKE_PREFIX_PATH=" + shell_word(prefix.string());
 }
 
 }  // namespace
@@ -42,9 +33,9 @@ int new_plugin(const NewArguments& a) {
   for (const fs::path& file : files) fmt::print("  {}\n", file.string());
   const fs::path prefix = (program_folder() / "..").lexically_normal().parent_path();
   const std::string option = prefix_option(prefix);
-  const std::string program = option.empty() ? "breccia" : word((program_folder() / "breccia").string());
+  const std::string program = option.empty() ? "breccia" : shell_word((program_folder() / "breccia").string());
   fmt::print("\nTo build, check and run it:\n\n");
-  if (!fs::equivalent(folder, fs::current_path())) fmt::print("  cd {}\n", word(folder.string()));
+  if (!fs::equivalent(folder, fs::current_path())) fmt::print("  cd {}\n", shell_word(folder.string()));
   fmt::print(
       "  cmake -S . -B build{}\n"
       "  cmake --build build\n"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/plugin_name.hpp"
 
+#include <algorithm>
+
 #include "breccia/error.hpp"
 #include "config/suggest.hpp"
 
@@ -26,6 +28,15 @@ std::pair<std::string, std::string> plugin_named(const Registry& registry, const
   const std::string near = closest(written, known);
   throw UserError("nothing is called `" + written + "`" + (near.empty() ? "" : "; did you mean `" + near + "`?") +
                   (near.empty() ? "; " : " ") + takes);
+}
+
+void refuse_a_kind(const Registry& registry, const std::string& written) {
+  const std::vector<std::string>& kinds = registry.kinds();
+  if (std::find(kinds.begin(), kinds.end(), written) == kinds.end()) return;
+  std::vector<std::string> full;
+  for (const std::string& name : registry.names(written)) full.push_back(written + "/" + name);
+  throw UserError("`" + written + "` is a kind of plugin, and one plugin is checked at a time: " +
+                  (full.empty() ? "none of this kind was found" : "write one of " + list_of(full, 20)));
 }
 
 }  // namespace breccia::cli

@@ -15,4 +15,7 @@ namespace breccia::cli {
 std::pair<std::string, std::string> plugin_named(const Registry& registry, const std::string& written,
                                                  const std::vector<std::string>& others, const std::string& takes);
 
+/// UserError with the plugins of that kind when a whole kind was written.
+void refuse_a_kind(const Registry& registry, const std::string& written);
+
 }  // namespace breccia::cli

@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 
 #include "cli/console.hpp"
-#include "cli/renderer_settings.hpp"
 #include "cli/verbs.hpp"
-#include "output/results_folder.hpp"
+#include "plugin/drawing.hpp"
+#include "results/results_folder.hpp"
+#include "run/load_workflow.hpp"
 
 namespace breccia::cli {
 namespace {

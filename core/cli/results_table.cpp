@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "run/summary_keys.hpp"
+#include "results/summary_keys.hpp"
 
 namespace breccia::cli {
 namespace {

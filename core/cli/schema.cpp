@@ -3,8 +3,8 @@
 
 #include "cli/verbs.hpp"
 #include "config/json_schema.hpp"
-#include "run/sweep_schema.hpp"
-#include "run/workflow.hpp"
+#include "study/study_schema.hpp"
+#include "workflow/workflow.hpp"
 
 namespace breccia::cli {
 

@@ -6,8 +6,8 @@
 #include "breccia/utf8.hpp"
 #include "cli/verbs.hpp"
 #include "config/base_chain.hpp"
-#include "run/sweep_cases.hpp"
-#include "run/workflow.hpp"
+#include "run/load_workflow.hpp"
+#include "study/cases.hpp"
 
 namespace breccia::cli {
 

@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "drive/drive_request.hpp"
+#include "run/run_request.hpp"
+#include "study/study_request.hpp"
+
 namespace breccia::cli {
 
 constexpr int ok = 0, failure = 1, bad_input = 2, interrupted = 130;
 
-struct RunArguments {
-  std::filesystem::path file, output, resume, from;
-  std::vector<std::string> overrides;
-  std::string variant;
+struct RunArguments : RunRequest {
   int threads = 0;  ///< 0: as many as the machine has
-  bool overwrite = false, accept_changed_plugins = false;
 };
 
 struct RenderArguments {
@@ -33,23 +33,17 @@ struct CompareArguments {
   bool overwrite = false;
 };
 
-struct DriveArguments {
-  std::string target;  ///< a workflow, or the name of a contact law
-  std::filesystem::path path, output;
-  std::vector<std::string> radius, overrides;
-  std::string gap, porosity;  ///< with units; empty: the default
-  double coordination_number = 10;
-  int steps = 200;
-  bool unbonded = false, overwrite = false;
+using DriveArguments = DriveRequest;
+
+struct ReportArguments {
+  std::filesystem::path folder, output;  ///< of a run or a study; of the page, empty: report.html in that folder
+  std::vector<std::string> authors;
+  std::string licence;
+  bool overwrite = false;
 };
 
-struct SweepArguments {
-  std::filesystem::path study, output;
-  int jobs = 0, threads = 1;  ///< jobs 0: as many as keep all cores busy
-  bool cases = false, collect = false, overwrite = false;
-  std::string one;     ///< number or folder of the case to run; empty: all
-  std::string expect;  ///< hash of the inputs that this case is to have; empty: any
-  int parent = 0;      ///< the process that started this one; 0: the user
+struct SweepArguments : StudyRequest {
+  bool cases = false;  ///< only lists them
 };
 
 struct CheckArguments {
@@ -72,6 +66,7 @@ int list(const std::string& kind);
 int describe(const std::string& plugin, const std::string& format);
 int render(const RenderArguments& arguments);
 int compare(const CompareArguments& arguments);
+int report(const ReportArguments& arguments);
 int drive(const DriveArguments& arguments);
 int sweep(const SweepArguments& arguments);
 int schema(const std::string& of);

@@ -2,7 +2,6 @@
 #include "config/merge.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <span>
 
 #include "config/to_yaml.hpp"
@@ -69,9 +68,8 @@ class Merger {
     if (!spec || steps.size() < 2) return node;
     auto copy = std::make_shared<YamlNode>(*node);
     if (node->kind == YamlNode::Kind::sequence) {
-      std::size_t index = node->items.size();
-      std::from_chars(steps[0].name.data(), steps[0].name.data() + steps[0].name.size(), index);
-      if (index < node->items.size()) copy->items[index] = fill(spec, node->items[index], steps.subspan(1));
+      if (const auto index = item_index(steps[0].name, node->items.size()))
+        copy->items[*index] = fill(spec, node->items[*index], steps.subspan(1));
       return copy;
     }
     const ParamSpec* member =

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "config/overrides.hpp"
 
-#include <charconv>
-#include <optional>
-
 namespace breccia {
 
 namespace {
@@ -25,20 +22,13 @@ std::vector<Step> steps_of(std::string_view path, Place start) {
   return steps;
 }
 
-std::optional<std::size_t> index_of(const std::string& text) {
-  std::size_t index = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
-  if (error != std::errc() || end != text.data() + text.size() || text.empty()) return {};
-  return index;
-}
-
 YamlPtr with_value(const YamlPtr& node, const std::vector<Step>& steps, std::size_t depth, const YamlPtr& value,
                    const std::string& path) {
   if (depth == steps.size()) return value;
   const Step& step = steps[depth];
   auto copy = std::make_shared<YamlNode>(*node);
   if (node->kind == YamlNode::Kind::sequence) {
-    const auto index = index_of(step.name);
+    const auto index = item_index(step.name);
     const std::string count = std::to_string(node->items.size());
     if (!index)
       throw Refused{{step.place, path, "is a list: its items are named by numbers from 0, not by `" + step.name + "`"}};

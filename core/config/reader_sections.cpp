@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Groups, lists and plugin sections.
 #include <algorithm>
-#include <charconv>
 
 #include "config/listed_plugin.hpp"
 #include "config/section_reader.hpp"
@@ -275,9 +274,7 @@ Place place_of(const YamlNode& node, const std::string& path, Place otherwise) {
     if (step.name.empty()) continue;
     const YamlNode* next = nullptr;
     if (at->kind == YamlNode::Kind::sequence) {
-      std::size_t index = at->items.size();
-      std::from_chars(step.name.data(), step.name.data() + step.name.size(), index);
-      if (index < at->items.size()) next = at->items[index].get();
+      if (const auto index = item_index(step.name, at->items.size())) next = at->items[*index].get();
     } else if (const YamlEntry* entry = at->find(step.name)) {
       next = entry->value.get();
     }

@@ -316,4 +316,11 @@ std::vector<PathStep> split_path(std::string_view path) {
   return steps;
 }
 
+std::optional<std::size_t> item_index(const std::string& step, std::size_t count) {
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(step.data(), step.data() + step.size(), index);
+  if (error != std::errc() || end != step.data() + step.size() || index >= count) return {};
+  return index;
+}
+
 }  // namespace breccia

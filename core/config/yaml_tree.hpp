@@ -4,7 +4,9 @@
 /// configuration.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -68,5 +70,7 @@ struct PathStep {
 };
 /// "walls[2].point" or "walls.2.point" as "walls", "2", "point".
 std::vector<PathStep> split_path(std::string_view path);
+/// Of a step into a list of `count` items; nothing when it is no number or there is no such item.
+std::optional<std::size_t> item_index(const std::string& step, std::size_t count = SIZE_MAX);
 
 }  // namespace breccia

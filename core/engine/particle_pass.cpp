@@ -144,28 +144,31 @@ void clear_forces(State& s, const Share& share) {
             ParticleLoad{});
 }
 
-void complete_forces(State& s, const Share& share, const CutForce* cut, const Incidence& in,
+void complete_forces(State& s, const Share& share, const Partition& partition, const Incidence& in,
                      const ExternalLoads& loads) {
   Particles& p = s.particles;
   const bool moments = !s.pairs.moment.empty();
+  const auto add_load = [&](Index a, const ExternalLoads::Load* of_group) {
+    p.force()[a] += of_group[a % ExternalLoads::group].force;
+    p.torque()[a] += of_group[a % ExternalLoads::group].torque;
+  };
   std::size_t row = 0;
-  for (const Index a : share.apart)
+  for (const Index a : share.apart) {
     for (std::size_t e = in.start[a]; e < in.start[a + 1]; ++e) {
-      const CutForce& q = cut[share.cut[row++]];
+      const CutForce& q = partition.cut[share.cut[row++]];
       const double sign = in.entry[e] & 1 ? -1.0 : 1.0, arm = p.radius()[a] + q.half_gap;
       Vec3 torque(arm * q.tx, arm * q.ty, arm * q.tz);
       if (moments) torque += sign * Vec3(q.mx, q.my, q.mz);
       p.force()[a] += sign * Vec3(q.fx, q.fy, q.fz);
       p.torque()[a] += torque;
     }
+    if (const auto* const load = loads.of_group(a)) add_load(a, load);
+  }
   for (Index first = share.first_particle, end; first < share.end_particle; first = end) {
     end = std::min(share.end_particle, Index((first / ExternalLoads::group + 1) * ExternalLoads::group));
-    const ExternalLoads::Load* const load = loads.of_group(first);
-    if (!load) continue;
-    for (Index a = first; a < end; ++a) {
-      p.force()[a] += load[a % ExternalLoads::group].force;
-      p.torque()[a] += load[a % ExternalLoads::group].torque;
-    }
+    if (const auto* const load = loads.of_group(first))
+      for (Index a = first; a < end; ++a)
+        if (!partition.apart[a]) add_load(a, load);
   }
 }
 

@@ -24,8 +24,9 @@ struct PassSums {
 /// Before the pairs of a share are evaluated: `force` and `torque` of its particles are zero.
 void clear_forces(State& state, const Share& share);
 
-/// After all pairs are: sums those particles of the share that are apart, and adds walls' and applied loads to all.
-void complete_forces(State& state, const Share& share, const CutForce* cut, const Incidence& incidence,
+/// After all pairs are: sums the particles set apart that this share was dealt, and adds walls' and applied loads to
+/// those and to its own.
+void complete_forces(State& state, const Share& share, const Partition& partition, const Incidence& incidence,
                      const ExternalLoads& loads);
 
 /// Leapfrog: velocities by one step with the resultants in `force` and `torque` and damping, then positions.

@@ -23,25 +23,34 @@ Partition make_partition(const State& s, const Incidence& in, const Chunks& chun
   }
   p.shares.back().end_particle = particles;
   if (n == 1) return p;
-  std::size_t size = 0;
-  for (Share& share : p.shares)
+  std::vector<Index> apart;
+  std::size_t rows = 0;
+  for (const Share& share : p.shares)
     for (Index a = share.first_particle; a < share.end_particle; ++a) {
       const std::size_t begin = in.start[a], end = in.start[a + 1];
       if (begin == end || (in.entry[begin] >> 1 >= share.first_pair && in.entry[end - 1] >> 1 < share.end_pair))
         continue;
-      share.apart.push_back(a);
+      apart.push_back(a);
       p.apart[a] = 1;
-      for (std::size_t e = begin; e < end; ++e) {
-        const std::size_t pair = in.entry[e] >> 1;
-        const auto next = std::upper_bound(chunks.start.begin(), chunks.start.end(), pair);
-        const std::size_t chunk = std::size_t(next - chunks.start.begin()) - 1, first = chunks.start[chunk];
-        if (p.chunk_cut[chunk] == PairBatch::whole) {
-          p.chunk_cut[chunk] = Index(size);
-          size += chunks.start[chunk + 1] - first;
-        }
-        share.cut.push_back(p.chunk_cut[chunk] + Index(pair - first));
-      }
+      rows += end - begin;
     }
+  // Pairs stand with their lower particle, so that nearly all of these are the last share's: dealt anew by their pairs.
+  std::size_t size = 0, row = 0, t = 0;
+  for (const Index a : apart) {
+    while (row >= rows * (t + 1) / n) ++t;
+    Share& share = p.shares[t];
+    share.apart.push_back(a);
+    for (std::size_t e = in.start[a]; e < in.start[a + 1]; ++e, ++row) {
+      const std::size_t pair = in.entry[e] >> 1;
+      const auto next = std::upper_bound(chunks.start.begin(), chunks.start.end(), pair);
+      const std::size_t chunk = std::size_t(next - chunks.start.begin()) - 1, first = chunks.start[chunk];
+      if (p.chunk_cut[chunk] == PairBatch::whole) {
+        p.chunk_cut[chunk] = Index(size);
+        size += chunks.start[chunk + 1] - first;
+      }
+      share.cut.push_back(p.chunk_cut[chunk] + Index(pair - first));
+    }
+  }
   p.cut.resize(size);
   return p;
 }

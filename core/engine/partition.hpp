@@ -13,7 +13,7 @@ namespace breccia {
 struct Share {
   std::size_t first_pair = 0, end_pair = 0, first_chunk = 0;
   Index first_particle = 0, end_particle = 0;
-  std::vector<Index> apart;  ///< those of the particles that have pairs of other shares too
+  std::vector<Index> apart;  ///< of the particles with pairs in several shares, those that this thread sums
   std::vector<Index> cut;    ///< where in `Partition::cut` their pairs stand, in the order of their rows of `Incidence`
 };
 

@@ -217,7 +217,7 @@ void Simulation::forces(bool to_be_viewed) {
     wall_forces(s, loads_);
 #pragma omp for schedule(static, 1)
     for (std::size_t t = 0; t < shares; ++t)
-      complete_forces(s, partition_.shares[t], partition_.cut.data(), incidence_, loads_);
+      complete_forces(s, partition_.shares[t], partition_, incidence_, loads_);
   }
   record_breaks();
   settle_led();

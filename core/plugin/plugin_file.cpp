@@ -15,8 +15,8 @@
 #include "breccia/postprocessor.hpp"
 #include "breccia/protocol.hpp"
 #include "breccia/renderer.hpp"
+#include "hash/sha256.hpp"
 #include "plugin/elf_probe.hpp"
-#include "plugin/sha256.hpp"
 
 namespace fs = std::filesystem;
 

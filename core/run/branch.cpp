@@ -11,23 +11,14 @@
 #include "breccia/protocol.hpp"
 #include "breccia/sdk_abi.hpp"
 #include "engine/simulation.hpp"
-#include "output/results_folder.hpp"
-#include "run/contact_laws.hpp"
+#include "results/results_folder.hpp"
 #include "run/listed.hpp"
+#include "run/load_workflow.hpp"
 #include "run/provenance.hpp"
+#include "workflow/contact_laws.hpp"
 
 namespace breccia {
 namespace fs = std::filesystem;
-
-void BranchConfig::describe(Schema<BranchConfig>& s) {
-  s.param("checkpoint", &BranchConfig::checkpoint)
-      .doc("a checkpoint of another run, or the folder of its results: the newest one there");
-  s.param("protocol", &BranchConfig::protocol)
-      .choice("continue", BranchProtocol::go_on, "the test goes on, with its walls and loads; the protocol is the same")
-      .choice("new", BranchProtocol::begin,
-              "another test begins on the specimen as it is: what loaded it is taken away, the clock stands at 0")
-      .doc("default: continue where the protocol is of the same type, else new");
-}
 
 fs::path checkpoint_of(const fs::path& file_or_folder) {
   if (fs::is_regular_file(file_or_folder)) return file_or_folder;

@@ -14,38 +14,6 @@
 namespace breccia {
 namespace fs = std::filesystem;
 
-void CheckpointsConfig::describe(Schema<CheckpointsConfig>& s) {
-  s.param("every", &CheckpointsConfig::every)
-      .unit("s")
-      .above(0)
-      .fallback(600.0)
-      .example("10 min")
-      .doc(
-          "time of the clock between two checkpoints; whichever of `every`, `every_simulated`, `every_strain`, "
-          "`every_steps` comes first");
-  s.param("every_simulated", &CheckpointsConfig::every_simulated)
-      .unit("s")
-      .above(0)
-      .example("0.1 ms")
-      .doc("simulated time between two checkpoints");
-  s.param("every_strain", &CheckpointsConfig::every_strain)
-      .above(0)
-      .example("0.1 %")
-      .doc("axial strain between two checkpoints, as the rows of the curves give it");
-  s.param("every_steps", &CheckpointsConfig::every_steps)
-      .at_least(1)
-      .example("10000")
-      .doc("time steps between two checkpoints");
-  s.param("keep", &CheckpointsConfig::keep)
-      .at_least(0)
-      .at_most(1000)
-      .fallback(2)
-      .doc("how many are kept, the newest ones; 0: none is written, and a run that was stopped cannot go on");
-  s.param("at_end", &CheckpointsConfig::at_end)
-      .fallback(false)
-      .doc("one more before the last step of the test; a run that is stopped on request always leaves one");
-}
-
 Checkpoints::Checkpoints(const CheckpointsConfig& config, const fs::path& folder, const Curves& curves,
                          std::function<std::vector<std::string>(Archive&)> write, Host& host)
     : config_(config), folder_(folder / "checkpoints"), curves_(curves), write_(std::move(write)), host_(host) {

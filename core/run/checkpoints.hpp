@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "archive/checkpoint_file.hpp"
-#include "run/workflow.hpp"
+#include "workflow/workflow.hpp"
 
 namespace breccia {
 

@@ -5,18 +5,9 @@
 #include "breccia/services.hpp"
 #include "breccia/views.hpp"
 #include "engine/simulation.hpp"
+#include "workflow/workflow.hpp"
 
 namespace breccia {
-
-/// The section `checks:` of a workflow: from where on it is said. None of them has a part in the test itself.
-struct ChecksConfig {
-  bool implausible_values;  // as they are written: `run/plausible.hpp`
-  bool negative_porosity;
-  double deep_overlap, wide_gap, bond_share, unbonded_share, stray_growth;  // of the specimen before the first step
-  double time_step_ratio;
-  double wall_overlap, pair_overlap, wall_speed, unbalanced_force, flown_off;  // while it is loaded
-  static void describe(Schema<ChecksConfig>& s);
-};
 
 /// Looks at the bonded specimen before the first step and warns of: particles with more volume than the specimen
 /// (diameters read as radii), deep overlaps, bonds across wide gaps, particles without a bond, and such particles away

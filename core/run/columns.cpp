@@ -4,7 +4,7 @@
 #include "config/places.hpp"
 #include "engine/simulation.hpp"
 #include "plugin/guarded.hpp"
-#include "run/contact_laws.hpp"
+#include "workflow/contact_laws.hpp"
 
 namespace breccia {
 namespace {

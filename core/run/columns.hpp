@@ -3,9 +3,9 @@
 #pragma once
 
 #include "breccia/protocol.hpp"
-#include "output/curve_table.hpp"
+#include "results/curve_table.hpp"
 #include "run/listed.hpp"
-#include "run/workflow.hpp"
+#include "workflow/read_workflow.hpp"
 
 namespace breccia {
 

@@ -5,16 +5,6 @@
 
 namespace breccia {
 
-std::string given_name(const PluginChoice& choice) {
-  const auto name = choice.config.find("name");
-  return name != choice.config.end() && name->is_string() ? name->get<std::string>() : std::string();
-}
-
-std::string result_label(const PluginChoice& choice) {
-  const std::string name = given_name(choice);
-  return name.empty() ? choice.type : name + "_" + choice.type;
-}
-
 std::span<const double> NamedCurves::column(std::string_view name) const {
   const std::string own = prefix_ + std::string(name);
   const std::vector<Column>& all = of_.columns();

@@ -4,16 +4,12 @@
 #pragma once
 
 #include "breccia/postprocessor.hpp"
-#include "output/summary_table.hpp"
 #include "plugin/guarded.hpp"
 #include "plugin/registry.hpp"
+#include "results/summary_table.hpp"
+#include "workflow/plugin_label.hpp"
 
 namespace breccia {
-
-/// What the workflow calls it; empty for a plugin without `name`.
-std::string given_name(const PluginChoice& choice);
-/// What its results go by: `gauges`, or `upper_gauges` with the name `upper`.
-std::string result_label(const PluginChoice& choice);
 
 /// One plugin of a list.
 template <class P>

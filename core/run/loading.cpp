@@ -6,33 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "run/workflow.hpp"
+#include "workflow/workflow.hpp"
 
 namespace breccia {
-
-void SamplingConfig::describe(Schema<SamplingConfig>& s) {
-  s.param("every_steps", &SamplingConfig::every_steps)
-      .at_least(1)
-      .fallback(50)
-      .doc(
-          "time steps between two rows of curves.csv; has no part in the test itself, which is decided after every "
-          "step");
-  s.param("load_change", &SamplingConfig::load_change)
-      .at_least(0)
-      .at_most(1)
-      .fallback(0.02)
-      .doc(
-          "a row is added where the test's load has changed by this share of its largest since the last row, and at "
-          "its peak, so that strength and moduli do not depend on every_steps; 0: no row is added");
-}
-
-void CurvesConfig::describe(Schema<CurvesConfig>& s) {
-  s.param("hdf5", &CurvesConfig::hdf5)
-      .fallback(false)
-      .doc(
-          "write the curves as curves.h5, too, when the run ends: an array each, with its unit and description. "
-          "curves.csv is always there: pictures, comparisons and studies read it");
-}
 
 LoadingStep Loading::step(bool last) {
   const std::uint64_t step = simulation_.state().step;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/simulation.hpp"
-#include "run/contact_laws.hpp"
+#include "workflow/contact_laws.hpp"
 
 namespace breccia {
 

@@ -1,29 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/packing_cache.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <chrono>
 #include <cstdlib>
+#include <optional>
 #include <random>
+#include <system_error>
 #include <thread>
 
+#include "breccia/atomic_file.hpp"
 #include "breccia/text_file.hpp"
 #include "config/places.hpp"
-#include "output/atomic_file.hpp"
+#include "hash/sha256.hpp"
 #include "plugin/guarded.hpp"
-#include "plugin/sha256.hpp"
+#include "results/file_lock.hpp"
 #include "run/warning_log.hpp"
 
 namespace breccia {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string hash_text(const std::string& text) { return sha256(std::as_bytes(std::span(text))); }
 
 /// For the hash alone. A name in a configuration need not be UTF-8, which JSON's text must be.
 std::string key_text(const Json& key) {
@@ -93,7 +91,7 @@ std::optional<PackedParticles> read_cached(const fs::path& file, Host& host) {
   }
   try {
     const std::string all = read_bytes(file);
-    if (all.size() < 64 || all.substr(0, 64) != hash_text(all.substr(64))) throw std::runtime_error("damaged");
+    if (all.size() < 64 || all.substr(0, 64) != sha256(all.substr(64))) throw std::runtime_error("damaged");
     const Json body = Json::from_cbor(all.substr(64));
     PackedParticles particles = from_json(body);
     if (const auto said = body.find("warnings"); said != body.end())  // they hold for every run with this packing
@@ -120,7 +118,7 @@ void write_cached(const fs::path& file, const PackedParticles& p, const std::vec
     if (!warnings.empty()) all["warnings"] = warnings;
     const std::vector<std::uint8_t> body = Json::to_cbor(all);
     const std::string text(body.begin(), body.end());
-    write_file(own, hash_text(text) + text);
+    write_file(own, sha256(text) + text);
     fs::rename(own, file, error);
     if (error) throw UserError("cannot write " + file.string() + ": " + error.message());
   } catch (const std::exception& e) {
@@ -131,38 +129,21 @@ void write_cached(const fs::path& file, const PackedParticles& p, const std::vec
 }
 
 /// Held while a packing is made, so that other processes which want the same wait and read it. Without locks in the
-/// file system each makes its own.
-class Turn {
- public:
-  Turn(const fs::path& file, Host& host) : name_(file.string() + ".lock") {
-    std::error_code ignored;
-    fs::create_directories(name_.parent_path(), ignored);
-    lock_ = open(name_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-    bool told = false;
-    while (lock_ >= 0 && flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-      if (host.cancelled()) {
-        close(lock_);
-        throw Cancelled();
-      }
-      if (!told) host.info("another process is making the same packing: waiting for it");
-      told = true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    }
+/// file system, and where the folder cannot be written to, each makes its own.
+std::optional<FileLock> turn_for(const fs::path& file, Host& host) {
+  const fs::path name = file.string() + ".lock";
+  std::error_code ignored;
+  fs::create_directories(name.parent_path(), ignored);
+  for (bool told = false;; told = true) {
+    try {
+      FileLock lock(name);
+      if (lock.state() != FileLock::State::with_another) return lock;
+    } catch (const std::system_error&) { return {}; }
+    if (host.cancelled()) throw Cancelled();
+    if (!told) host.info("another process is making the same packing: waiting for it");
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
-  Turn(const Turn&) = delete;
-  Turn& operator=(const Turn&) = delete;
-  ~Turn() {
-    if (lock_ < 0) return;
-    std::error_code ignored;
-    fs::remove(name_,
-               ignored);  // whoever opened it already gets it next; a newcomer makes another: at worst, twice the work
-    close(lock_);
-  }
-
- private:
-  fs::path name_;
-  int lock_ = -1;
-};
+}
 
 }  // namespace
 
@@ -194,9 +175,9 @@ PackingOutcome obtain_packing(const Registry& registry, const PluginChoice& choi
   if (request.repeats()) key["periodic"] = request.periodic;
   const PluginId id{Packing::kind, choice.type};
   for (const fs::path& input : calling(id, "naming its files", [&] { return packing->inputs(); }))
-    key["inputs"].push_back(hash_text(read_bytes(input)));
+    key["inputs"].push_back(sha256(read_bytes(input)));
   const fs::path file =
-      cache_folder.empty() ? fs::path() : cache_folder / "packings" / (hash_text(key_text(key)) + ".cbor");
+      cache_folder.empty() ? fs::path() : cache_folder / "packings" / (sha256(key_text(key)) + ".cbor");
   PackingOutcome outcome;
   const auto look = [&] {
     if (file.empty()) return;
@@ -206,9 +187,9 @@ PackingOutcome obtain_packing(const Registry& registry, const PluginChoice& choi
     }
   };
   look();
-  std::optional<Turn> turn;
+  std::optional<FileLock> turn;
   if (!outcome.from_cache && !file.empty()) {
-    turn.emplace(file, host);
+    if (auto now = turn_for(file, host)) turn.emplace(std::move(*now));
     look();  // it may have been made meanwhile
   }
   if (!outcome.from_cache) {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "breccia/text_file.hpp"
-#include "plugin/sha256.hpp"
+#include "hash/sha256.hpp"
 
 namespace breccia {
 
@@ -22,7 +22,7 @@ Json provenance_of(const Workflow& w, const Registry& registry, const std::strin
   for (const PluginChoice& c : w.renderers) add("renderer", c.type);
   const auto add_file = [&](const std::filesystem::path& file) {
     const std::string bytes = read_bytes(file);
-    provenance["files"][valid_utf8(file.string())] = sha256(std::as_bytes(std::span(bytes)));
+    provenance["files"][valid_utf8(file.string())] = sha256(bytes);
   };
   if (w.material_of && w.material_of->regions)
     for (const RegionConfig& r : *w.material_of->regions)

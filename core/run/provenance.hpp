@@ -3,7 +3,7 @@
 /// read.
 #pragma once
 
-#include "run/workflow.hpp"
+#include "workflow/read_workflow.hpp"
 
 namespace breccia {
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/render.hpp"
 
-#include "output/results_folder.hpp"
-#include "output/temporary_folder.hpp"
+#include "plugin/drawing.hpp"
+#include "results/results_folder.hpp"
+#include "results/temporary_folder.hpp"
 #include "run/listed.hpp"
 
 namespace breccia {
@@ -76,8 +77,8 @@ void refuse_to_replace(const std::vector<fs::path>& places, const fs::path& fold
 namespace {
 
 /// Those of a named renderer go into a folder of its own.
-void draw(const PluginChoice& choice, const Registry& registry, const RenderRequest& request, Host& host,
-          std::vector<fs::path>& made) {
+std::vector<fs::path> draw(const PluginChoice& choice, const Registry& registry, const RenderRequest& request,
+                           Host& host) {
   Listed<Renderer> renderer(choice, registry);
   RenderRequest own = request;
   EmptyFolder left_over;
@@ -87,28 +88,25 @@ void draw(const PluginChoice& choice, const Registry& registry, const RenderRequ
     if (fs::create_directories(own.directory, error)) left_over.folder = own.directory;
     if (error) throw CannotWrite(own.directory, error.value());
   }
-  const auto files = renderer.call("drawing", [&](Renderer& r) { return r.render(own, host); });
-  made.insert(made.end(), files.begin(), files.end());
+  return renderer.call("drawing", [&](Renderer& r) { return r.render(own, host); });
 }
 
-std::string without_pictures(const PluginChoice& choice, const std::exception& e) {
-  return "no pictures by renderer `" + result_label(choice) + "`: " + e.what();
+std::vector<fs::path> draw_all(const std::vector<PluginChoice>& renderers, const Registry& registry,
+                               const RenderRequest& request, Refusal refusal, Host& host) {
+  std::vector<fs::path> made;
+  for (const PluginChoice& choice : renderers) {
+    const auto files =
+        drawn("pictures", result_label(choice), refusal, host, [&] { return draw(choice, registry, request, host); });
+    made.insert(made.end(), files.begin(), files.end());
+  }
+  return made;
 }
 
 }  // namespace
 
 std::vector<fs::path> render_all(const std::vector<PluginChoice>& renderers, const Registry& registry,
                                  const RenderRequest& request, Host& host) {
-  std::vector<fs::path> made;
-  for (const PluginChoice& choice : renderers) {
-    const auto warn = [&](const std::exception& e) { host.warn(without_pictures(choice, e)); };
-    try {
-      draw(choice, registry, request, host, made);
-    } catch (const Unavailable& e) { warn(e); } catch (const UserError& e) {
-      warn(e);
-    }
-  }
-  return made;
+  return draw_all(renderers, registry, request, Refusal::warns, host);
 }
 
 std::vector<fs::path> render_apart(const std::vector<PluginChoice>& renderers, const Registry& registry,
@@ -121,11 +119,9 @@ std::vector<fs::path> render_apart(const std::vector<PluginChoice>& renderers, c
   const Workshop workshop(folder);
   WorkshopHost within(workshop, host);
   std::vector<fs::path> made, places;
-  for (const PluginChoice& choice : renderers) try {
-      draw(choice, registry, {request.source, workshop.path()}, within, made);
-    } catch (const Unavailable& e) { within.warn(without_pictures(choice, e)); } catch (const UserError& e) {
-      throw UserError(workshop.told(e.what()));
-    }
+  try {
+    made = draw_all(renderers, registry, {request.source, workshop.path()}, Refusal::ends, within);
+  } catch (const UserError& e) { throw UserError(workshop.told(e.what())); }
   for (const fs::path& file : made) places.push_back(workshop.place_of(file));
   if (!overwrite) refuse_to_replace(places, folder);
   check_additions(folder, places);

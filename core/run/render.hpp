@@ -3,7 +3,7 @@
 #pragma once
 
 #include "breccia/renderer.hpp"
-#include "run/workflow.hpp"
+#include "workflow/read_workflow.hpp"
 
 namespace breccia {
 

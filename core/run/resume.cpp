@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "breccia/sdk_abi.hpp"
-#include "output/results_folder.hpp"
+#include "results/results_folder.hpp"
 #include "run/provenance.hpp"
 
 namespace breccia {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "archive/checkpoint_file.hpp"
-#include "run/workflow.hpp"
+#include "workflow/read_workflow.hpp"
 
 namespace breccia {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/simulation.hpp"
-#include "output/curve_table.hpp"
+#include "results/curve_table.hpp"
 #include "run/checks.hpp"
 #include "run/energy_check.hpp"
 #include "run/frames.hpp"

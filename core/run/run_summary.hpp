@@ -3,10 +3,10 @@
 #pragma once
 
 #include "engine/simulation.hpp"
-#include "output/summary_table.hpp"
-#include "run/contact_laws.hpp"
+#include "results/summary_table.hpp"
 #include "run/scatter_summary.hpp"
-#include "run/workflow.hpp"
+#include "workflow/contact_laws.hpp"
+#include "workflow/workflow.hpp"
 
 namespace breccia {
 

@@ -17,16 +17,16 @@
 #include "engine/assembly.hpp"
 #include "engine/simulation.hpp"
 #include "engine/specimen.hpp"
-#include "output/curve_table.hpp"
-#include "output/results_folder.hpp"
-#include "output/summary_table.hpp"
 #include "plugin/out_of_memory.hpp"
+#include "results/curve_table.hpp"
+#include "results/results_folder.hpp"
+#include "results/summary_table.hpp"
 #include "run/branch.hpp"
 #include "run/checkpoints.hpp"
 #include "run/checks.hpp"
 #include "run/columns.hpp"
-#include "run/contact_laws.hpp"
 #include "run/energy_check.hpp"
+#include "run/environment.hpp"
 #include "run/frames.hpp"
 #include "run/listed.hpp"
 #include "run/loading.hpp"
@@ -38,6 +38,7 @@
 #include "run/scatter_summary.hpp"
 #include "run/threads.hpp"
 #include "run/warning_log.hpp"
+#include "workflow/contact_laws.hpp"
 
 namespace breccia {
 namespace {
@@ -295,6 +296,7 @@ class Run {
     if (viewable_) finish_plugins(simulation_->view());
     sum_up_packing(summary_, packing_.particles.report);
     summary_.set("reference", w_.reference);
+    summary_.set("environment", environment());
   }
 
   /// Those that have failed have nothing to say.

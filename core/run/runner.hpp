@@ -7,7 +7,7 @@
 
 #include "breccia/services.hpp"
 #include "run/resume.hpp"
-#include "run/workflow.hpp"
+#include "workflow/read_workflow.hpp"
 
 namespace breccia {
 

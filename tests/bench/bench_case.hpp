@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "breccia/protocol.hpp"
-#include "output/curve_table.hpp"
-#include "run/contact_laws.hpp"
+#include "results/curve_table.hpp"
+#include "run/load_workflow.hpp"
 #include "run/packing_cache.hpp"
-#include "run/workflow.hpp"
+#include "workflow/contact_laws.hpp"
 
 namespace breccia::bench {
 

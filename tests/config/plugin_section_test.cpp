@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/plugin_section.hpp"
+#include "workflow/plugin_section.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 /// The path of `breccia drive`.
 #include <cmath>
 
+#include "drive/drive_path.hpp"
 #include "fuzz.hpp"
-#include "run/drive_path.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace breccia;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// The reader of studies: the file itself and its points, not the workflows that it names.
+#include "study/study.hpp"
+
 #include "fuzz.hpp"
-#include "run/sweep_study.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace breccia;

@@ -2,8 +2,8 @@
 /// summary.json as `breccia compare` reads it, and what the comparison makes of it.
 #include <filesystem>
 
+#include "compare/compare.hpp"
 #include "fuzz.hpp"
-#include "run/compare.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace breccia;

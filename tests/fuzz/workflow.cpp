@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// The reader of workflows: all that happens before a run begins, with the shipped plugins and, of the files in
 /// `base/`, those that the text builds on.
-#include "run/workflow.hpp"
-
 #include "fuzz.hpp"
+#include "run/load_workflow.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace breccia;

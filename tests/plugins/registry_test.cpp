@@ -9,7 +9,7 @@
 #include "breccia/protocol.hpp"
 #include "breccia/renderer.hpp"
 #include "fixture.hpp"
-#include "plugin/sha256.hpp"
+#include "hash/sha256.hpp"
 
 namespace breccia::test {
 

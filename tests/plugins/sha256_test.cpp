@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Vectors of NIST (FIPS 180-2, appendix B, and the CAVP byte vectors), and lengths around the padding's edge.
-#include "plugin/sha256.hpp"
+#include "hash/sha256.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "run/materials.hpp"
+#include "workflow/materials.hpp"
 
 namespace breccia::testing {
 namespace {

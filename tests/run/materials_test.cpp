@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Several materials, parameters by pair of materials, strengths that scatter.
-#include "run/materials.hpp"
+#include "workflow/materials.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "engine/counter_random.hpp"
-#include "run/contact_laws.hpp"
 #include "support/support.hpp"
+#include "workflow/contact_laws.hpp"
 
 namespace breccia::testing {
 namespace {

@@ -24,6 +24,7 @@ MENU = [
         ("Choosing a contact law", "docs/laws.md"),
         ("Materials and scatter", "docs/materials.md"),
         ("Parameter studies", "docs/sweeps.md"),
+        ("Results in Python", "docs/python.md"),
         ("What is measured", "docs/measurements.md"),
         ("Writing a contact law", "docs/writing_a_law.md"),
         ("Writing a plugin", "docs/writing_a_plugin.md"),

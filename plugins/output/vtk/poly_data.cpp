@@ -35,6 +35,15 @@ vtkSmartPointer<vtkPolyData> particle_data(const SimulationView& view, std::span
   add_real(on, precision, "velocity", "m/s", n, [&](std::size_t k) { return p.velocity[k]; });
   add_real(on, precision, "angular_velocity", "rad/s", n, [&](std::size_t k) { return p.angular_velocity[k]; });
   add_real(on, precision, "force", "N", n, [&](std::size_t k) { return p.force[k]; });
+  // What a protocol does to single particles, where it does. In two dimensions the plane holds all of them.
+  const auto held = [&](std::size_t k) {
+    return std::uint8_t(p.held[k] & (view.dimension == 2 ? dof::all & ~dof::out_of_plane : dof::all));
+  };
+  std::size_t any = 0;
+  for (std::size_t k = 0; k < p.held.size(); ++k) any += held(k) != 0;
+  if (any > 0) add<vtkTypeUInt8Array>(on, "held", "", n, held);
+  if (!p.applied_force.empty())
+    add_real(on, precision, "applied_force", "N", n, [&](std::size_t k) { return p.applied_force[k]; });
   if (!p.material.empty()) {
     add<vtkTypeInt32Array>(on, "material", "", n, [&](std::size_t k) { return p.material[k]; });
     add_material_names(data, view);

@@ -147,4 +147,10 @@ std::string significant(double value, int digits) {
   return text;
 }
 
+std::string whole_number(double v) {
+  std::string digits = std::to_string(std::llround(v));
+  for (int at = int(digits.size()) - 3; at > 0; at -= 3) digits.insert(std::size_t(at), "\u202f");
+  return digits;
+}
+
 }  // namespace breccia::pictures

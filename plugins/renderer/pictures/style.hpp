@@ -85,5 +85,7 @@ std::string title(std::string name, const std::string& unit);
 
 /// printf's %.*g.
 std::string significant(double value, int digits);
+/// "12 345", with narrow blanks.
+std::string whole_number(double value);
 
 }  // namespace breccia::pictures

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "results/summary_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "breccia/atomic_file.hpp"
+#include "breccia/utf8.hpp"
+#include "results/curve_table.hpp"
+
+namespace breccia {
+
+void SummaryTable::put(const ResultName& name, Json value) {
+  const std::string key = name.key();
+  if (name.unit != "1") units_[key] = name.unit;
+  json_[key] = std::move(value);
+}
+
+void SummaryTable::set_below(const std::string& owner, const ResultName& name, Json value) {
+  const std::string path = name.key();
+  if (name.unit != "1") units_[owner + "." + path] = name.unit;
+  Json* at = &json_[owner];
+  std::size_t begin = 0;
+  for (std::size_t dot; (dot = path.find('.', begin)) != path.npos; begin = dot + 1)
+    at = &(*at)[path.substr(begin, dot - begin)];
+  (*at)[path.substr(begin)] = std::move(value);
+}
+
+Json SummaryTable::json() const {
+  Json all = json_;
+  if (!units_.empty()) all["units"] = units_;
+  return all;
+}
+
+void SummaryTable::set(const ResultName& name, Json value, const std::string& owner) {
+  const std::string key = name.key();
+  const auto [it, is_new] = owner_.emplace(key, owner);
+  if (!is_new)
+    throw UserError("`" + it->second + "` and `" + owner + "` both report " + key +
+                    " in the summary: keep one of them in the workflow");
+  put(name, std::move(value));
+}
+
+void SummaryTable::add(Table table, const std::string& owner) {
+  BRECCIA_ASSERT(table.columns.size() == table.values.size());
+  for (const auto& column : table.values) BRECCIA_ASSERT(column.size() == table.values[0].size());
+  if (std::any_of(tables_.begin(), tables_.end(), [&](const Table& t) { return t.name == table.name; }))
+    throw UserError("`" + owner + "` writes the table " + table.name +
+                    ", which is there already: keep one of the two "
+                    "in the workflow");
+  tables_.push_back(std::move(table));
+}
+
+void SummaryTable::write(const std::filesystem::path& folder) const {
+  for (const Table& table : tables_) {
+    std::error_code error;
+    std::filesystem::create_directory(folder / "tables", error);  // not the folder: it was removed for a reason
+    if (error) throw UserError("cannot make the folder " + (folder / "tables").string() + ": " + error.message());
+    std::string text;
+    for (const Column& c : table.columns) text += (text.empty() ? "" : ",") + header_name(c);
+    for (std::size_t row = 0; row < (table.values.empty() ? 0 : table.values[0].size()); ++row) {
+      text += '\n';
+      for (std::size_t c = 0; c < table.values.size(); ++c)
+        text += (c ? "," : "") + (std::isfinite(table.values[c][row]) ? fmt::format("{}", table.values[c][row]) : "");
+    }
+    const std::filesystem::path file = folder / "tables" / (table.name + ".csv");
+    write_units(file, table.columns);
+    write_file(file, text + "\n");
+  }
+  write_file(folder / "summary.json", json_text(json(), 2) + "\n");
+}
+
+}  // namespace breccia
