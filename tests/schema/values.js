@@ -49,7 +49,7 @@ const cases = [
   [['contact_law', 'tensile_strength'], { mean: '4 mm', distribution: 'weibull', modulus: 6 }, 'refused'],
   [['contact_law', 'tensile_strength'], { mean: '4 MPa', distribution: 'weibull' }, 'refused'],
   [['contact_law', 'tensile_strength'], { mean: '4 MPa', distribution: 'gauss', modulus: 6 }, 'refused'],
-  [['postprocessors'], [{ type: 'gauges' }], 'refused'], [['postprocessors'], [{ type: 'stress' }], 'fine'],
+  [['postprocessors'], [{ type: 'gauge' }], 'refused'], [['postprocessors'], [{ type: 'stress' }], 'fine'],
   [['postprocessors'], [{ type: 'stress', name: 'up per' }], 'refused'], [['outputs'], { type: 'vtk' }, 'refused'],
   [['outputs'], [{ type: 'extxyz', interval: '1 ms', gzip: true }], 'fine'],
   [['outputs'], [{ type: 'extxyz', interval: '1 mm' }], 'refused'], [['curves'], { hdf5: true }, 'fine'],
