@@ -65,8 +65,10 @@ void add_cylinder(Scene& scene, const SpecimenShape& s, const Projection& view, 
     add_ellipse(scene, end, radius * a, radius * b, view, width);
   }
   const Vec3 side = view.toward.cross(s.axis);  // where the rays touch the barrel
-  if (side.norm() > 1e-9)
-    add_wall(scene, 0.5 * (s.base + top), radius * side.normalized(), 0.5 * s.height * s.axis, false);
+  if (!(side.norm() > 1e-9)) return;
+  const Vec3 out = radius * side.normalized();
+  add_wall(scene, 0.5 * (s.base + top), out, 0.5 * s.height * s.axis, false);
+  for (const double k : {-1.0, 1.0}) add_line(scene, s.base + k * out, top + k * out, view, width);
 }
 
 void add_ellipsoid(Scene& scene, const Vec3& centre, const Vec3& half, const Projection& view, double width) {
