@@ -121,15 +121,18 @@ void add_slabs(Scene& scene, const std::vector<Slab>& slabs) {
     }
 }
 
+double shadow_gap(const Spheres& spheres) {
+  double mean = 0;
+  for (const double r : spheres.radius) mean += r / double(spheres.size());
+  return 0.5 * mean;
+}
+
 namespace {
 
 /// Of two things behind everything the first one is seen: pale discs, then darker ones that stand out at the edge
 /// alone.
 void add_shadow(Scene& scene, const Spheres& spheres, const Projection& view, double width) {
-  if (spheres.size() == 0) return;
-  double mean = 0;
-  for (const double r : spheres.radius) mean += r / double(spheres.size());
-  const double gap = 0.5 * mean;  // fills what is free between neighbours
+  const double gap = shadow_gap(spheres);
   for (const bool edge : {false, true})
     for (std::size_t p = 0; p < spheres.size(); ++p) {
       const double r = spheres.radius[p] + gap + (edge ? width : 0);

@@ -90,6 +90,14 @@ class Drawing {
           framed.position.push_back(c.position);
           framed.radius.push_back(c.radius);
         }
+      if (wish_.cracks && setup_.specimen) {  // and the shadow that is the outline of an irregular specimen
+        const Spheres start = at_start();
+        const double gap = shadow_gap(start);
+        for (std::size_t p = 0; p < start.size(); ++p) {
+          framed.position.push_back(start.position[p]);
+          framed.radius.push_back(start.radius[p] + gap);
+        }
+      }
       fixed.view.emplace(framed, setup_, direction, camera.zoom, platens_);
     }
     view_ = &*fixed.view;
