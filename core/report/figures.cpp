@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "breccia/text_file.hpp"
+#include "config/at_path.hpp"
 #include "report/html.hpp"
 #include "report/quantity.hpp"
 #include "report/svg.hpp"
@@ -26,13 +27,16 @@ std::string meaning_of(const ParamSpec& spec, const std::string& name) {
   return {};
 }
 
-std::string caption_of(const std::string& name, const Registry& registry) {
+std::string caption_of(const std::string& name, const Registry& registry, const FieldOfPicture& fields) {
+  if (const auto field = fields.find(name); field != fields.end())
+    return capital(readable(name)) + ": coloured by " + readable(field->second);
   for (const std::string& renderer : registry.names("renderer")) {
     try {
       std::string doc = meaning_of(registry.documentation("renderer", renderer).root, name);
       doc = doc.substr(0, doc.find(", .png"));
+      doc = doc.substr(0, doc.find(" ("));
       std::erase(doc, '`');
-      if (!doc.empty()) return capital(doc);
+      if (!doc.empty()) return capital(readable(name)) + ": " + doc;
     } catch (const UserError&) {}  // of no use here: the name says enough
   }
   return capital(readable(name));
@@ -48,12 +52,13 @@ std::string media_type(const fs::path& file) {
 /// "upper_vtk/cracks" is told apart from "cracks".
 std::string stem_of(const std::string& file) { return (fs::path(file).parent_path() / fs::path(file).stem()).string(); }
 
-Figure figure_of(const fs::path& folder, const std::string& file, const std::string& prefix, const Registry& registry) {
+Figure figure_of(const fs::path& folder, const std::string& file, const std::string& prefix, const Registry& registry,
+                 const FieldOfPicture& fields) {
   Figure f;
   f.name = stem_of(file);
   f.chart = has_ending(file, ".svg");
   const std::string bytes = read_bytes(folder / file), stem = fs::path(file).stem().string();
-  f.caption = caption_of(stem, registry);
+  f.caption = caption_of(stem, registry, fields);
   std::string markup;
   if (f.chart) {
     if (auto svg = inline_svg(bytes, prefix, f.caption)) {
@@ -91,7 +96,7 @@ int rank(const Figure& f) {
 }  // namespace
 
 std::vector<Figure> figures_of(const fs::path& folder, const std::vector<std::string>& files, const Registry& registry,
-                               const std::string& prefix, Host& host) {
+                               const std::string& prefix, Host& host, const FieldOfPicture& fields) {
   std::vector<Figure> all;
   for (const std::string& file : files) {
     if (media_type(file).empty()) continue;
@@ -101,20 +106,36 @@ std::vector<Figure> figures_of(const fs::path& folder, const std::vector<std::st
         });
     if (drawn_too) continue;
     try {
-      all.push_back(figure_of(folder, file, prefix + std::to_string(all.size() + 1) + "-", registry));
+      all.push_back(figure_of(folder, file, prefix + std::to_string(all.size() + 1) + "-", registry, fields));
     } catch (const UserError& e) { host.warn(std::string("left out of the report: ") + e.what()); }
   }
   std::stable_sort(all.begin(), all.end(), [](const Figure& a, const Figure& b) { return rank(a) < rank(b); });
   return all;
 }
 
-std::vector<Figure> figures_of_run(const fs::path& folder, const std::vector<std::string>& files,
-                                   const std::optional<PluginChoice>& renderer, const Registry& registry, Host& host) {
-  std::vector<Figure> all = figures_of(folder, files, registry, "figure-", host);
-  if (has_chart(files) || !renderer) return all;
+FieldOfPicture fields_of_pictures(const Json& input) {
+  FieldOfPicture fields;
+  const Json* renderers = value_at(input, "renderers");
+  if (!renderers || !renderers->is_array()) return fields;
+  for (const Json& renderer : *renderers) {
+    const Json* pictures = value_at(renderer, "pictures");
+    if (!pictures || !pictures->is_array()) continue;
+    for (const Json& p : *pictures) {
+      const Json *field = value_at(p, "field"), *name = value_at(p, value_at(p, "name") ? "name" : "show");
+      if (field && name && field->is_string() && name->is_string())
+        fields[name->get<std::string>()] = field->get<std::string>();
+    }
+  }
+  return fields;
+}
+
+std::vector<Figure> figures_of_run(const RunFiles& run, const std::optional<PluginChoice>& renderer,
+                                   const Registry& registry, Host& host) {
+  std::vector<Figure> all = figures_of(run.folder, run.files, registry, "figure-", host, fields_of_pictures(run.input));
+  if (has_chart(run.files) || !renderer) return all;
   const TemporaryFolder workshop(fs::temp_directory_path(), "breccia-report");
   host.info("drawing charts: the run has none");
-  render_all({*renderer}, registry, {folder, workshop.path()}, host);
+  render_all({*renderer}, registry, {run.folder, workshop.path()}, host);
   const bool has_pictures = !all.empty();
   for (Figure& f : figures_of(workshop.path(), files_below(workshop.path()), registry, "drawn-", host))
     if (f.chart || !has_pictures) all.push_back(std::move(f));  // the run chose its own pictures

@@ -33,8 +33,9 @@ std::string Table::html() const {
   if (rows_.empty()) return {};
   const auto of_kind = [&](std::size_t c) { return columns_[c].second == Is::number ? " class=\"n\"" : ""; };
   // Whoever has no mouse scrolls it by the keyboard: it takes the focus, and says what it is.
-  std::string out = "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" + escaped(caption_) +
-                    "\">\n<table>\n<caption>" + escaped(caption_) + "</caption>\n<thead><tr>";
+  std::string out = std::string("<div class=\"scroll") + (rows_.size() <= 14 ? " short" : "") +
+                    "\" tabindex=\"0\" role=\"region\" aria-label=\"" + escaped(caption_) + "\">\n<table>\n<caption>" +
+                    escaped(caption_) + "</caption>\n<thead><tr>";
   for (std::size_t c = 0; c < columns_.size(); ++c)
     out += std::string("<th scope=\"col\"") + of_kind(c) + ">" + escaped(columns_[c].first) + "</th>";
   out += "</tr></thead>\n<tbody>\n";

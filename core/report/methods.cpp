@@ -31,8 +31,8 @@ std::string parameter_list(const Json& section, std::initializer_list<std::strin
     const bool is_left_out =
         std::any_of(left_out.begin(), left_out.end(), [&, k = key](std::string_view b) { return k.starts_with(b); });
     if (key == "type" || text.empty() || is_left_out) continue;
-    const bool in_brackets = value.is_object();
-    out += (out.empty() ? "" : ", ") + readable(key) + (in_brackets ? " (" + text + ")" : " " + text);
+    out += (out.empty() ? "" : ", ") + readable(key) +
+           (value.is_object() ? " (" + text + ")" : (is_quantity(value) ? " " : ": ") + text);
   }
   return out;
 }

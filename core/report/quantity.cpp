@@ -82,6 +82,7 @@ Quantity quantity(double si, const std::string& unit, double like) {
   int power = std::clamp(int(std::floor(std::log10(size) / 3 + 1e-9)), -4, 4);
   if (unit[0] == 'm' || unit[0] == 's') power = std::min(power, 0);  // nobody says 3 ks
   if (unit == "m/s" && size >= 0.01) power = 0;
+  if (unit == "m" && size >= 1e-4 && size < 1) power = -1;  // of grains and specimens
   return {number_text(si * std::pow(10.0, -3 * power)), prefixes[power + 4] + readable_unit(unit)};
 }
 

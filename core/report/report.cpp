@@ -44,8 +44,8 @@ Texts texts_of_run(const ReportRequest& request, const Registry& registry, const
   Texts texts;
   const RunFiles& run = texts.run.emplace(read_run_files(request.folder));
   const std::vector<std::string> paragraphs = methods_text(run);
-  texts.page = run_page(run, figures_of_run(run.folder, run.files, request.renderer, registry, host),
-                        methods_html(paragraphs), registry, facts);
+  texts.page =
+      run_page(run, figures_of_run(run, request.renderer, registry, host), methods_html(paragraphs), registry, facts);
   texts.methods = methods_markdown(run.name(), paragraphs, model_sources(run, registry));
   texts.crate = {run.name(), description_of(run), run.folder, run.files, {}, nullptr};
   return texts;

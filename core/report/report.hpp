@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "breccia/services.hpp"
 #include "plugin/registry.hpp"
 
 namespace breccia::report {

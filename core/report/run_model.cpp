@@ -23,24 +23,36 @@ std::string meaning(const ParamSpec* spec, const std::string& name) {
   return {};
 }
 
+struct Line {
+  std::string title, value, meaning;
+};
+
 /// Adds what can be told in one line each; a list or mapping within is told by its members.
-void add_values(Table& table, const Json& section, const ParamSpec* spec, const std::string& before) {
+void add_values(std::vector<Line>& lines, const Json& section, const ParamSpec* spec, const std::string& before) {
   for (const auto& [key, value] : section.items()) {
     if (key == "type") continue;
     const std::string text = value_text(value), title = before + readable(key);
-    if (!text.empty()) table.row({escaped(capital(title)), escaped(text), escaped(meaning(spec, key))});
-    else if (value.is_object()) add_values(table, value, nullptr, title + ": ");
+    if (!text.empty()) lines.push_back({title, text, meaning(spec, key)});
+    else if (value.is_object()) add_values(lines, value, nullptr, title + ": ");
     else if (value.is_array())
       for (std::size_t k = 0; k < value.size(); ++k)
-        if (value[k].is_object()) add_values(table, value[k], nullptr, title + " " + std::to_string(k + 1) + ": ");
+        if (value[k].is_object()) add_values(lines, value[k], nullptr, title + " " + std::to_string(k + 1) + ": ");
   }
 }
 
 std::string parameters_table(const std::string& caption, const Json& section, const ParamSpec* spec) {
   if (!section.is_object()) return {};
+  std::vector<Line> lines;
+  add_values(lines, section, spec, "");
+  const bool has_meanings = std::any_of(lines.begin(), lines.end(), [](const Line& l) { return !l.meaning.empty(); });
   Table table(caption);
-  table.column("Parameter").column("Value").column("Meaning");
-  add_values(table, section, spec, "");
+  table.column("Parameter").column("Value");
+  if (has_meanings) table.column("Meaning");
+  for (const Line& l : lines) {
+    std::vector<std::string> row{escaped(capital(l.title)), escaped(l.value)};
+    if (has_meanings) row.push_back(escaped(l.meaning));
+    table.row(row);
+  }
   return table.html();
 }
 

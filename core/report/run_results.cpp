@@ -45,6 +45,9 @@ std::vector<Result> headline_results(const RunFiles& run) {
     const bool compared = reference.is_object() && reference.contains(key) && reference[key].is_number();
     all.push_back({key, capital(title), unit, value, compared ? reference[key] : Json()});
   }
+  // Strength and stiffness are asked for first; cracks have a part of their own.
+  const auto is_damage = [](const Result& r) { return r.key.starts_with("bonds_broken") || r.key == "global_damage"; };
+  std::stable_partition(all.begin(), all.end(), [&](const Result& r) { return !is_damage(r); });
   return all;
 }
 
@@ -58,7 +61,8 @@ std::string reference_note(const RunFiles& run) {
           "<p class=\"about\">" +
           escaped((key == "source" ? "Reference values" : capital(readable(key))) + ": " + value.get<std::string>()) +
           "</p>\n";
-    else if (value.is_number() && !run.summary.contains(key)) unmatched += (unmatched.empty() ? "" : ", ") + key;
+    else if (value.is_number() && !run.summary.contains(key))
+      unmatched += (unmatched.empty() ? "" : ", ") + key + " = " + number_text(value.get<double>());
   }
   if (!unmatched.empty())
     out += "<p class=\"about\">Reference values that this run did not measure: " + escaped(unmatched) + ".</p>\n";

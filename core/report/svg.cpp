@@ -101,7 +101,7 @@ std::optional<InlineSvg> inline_svg(const std::string& text, const std::string& 
       !file.load_buffer(text.data(), text.size(), pugi::parse_minimal | pugi::parse_escapes | pugi::parse_cdata,
                         pugi::encoding_utf8))
     return {};
-  const pugi::xml_node svg = file.document_element();
+  pugi::xml_node svg = file.document_element();
   if (std::string_view(svg.name()) != "svg" || !Embedding(svg, prefix).rewrite(svg) || !make_scalable(svg)) return {};
   InlineSvg made;
   pugi::xml_node title = svg.child("title");
