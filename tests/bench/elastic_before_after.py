@@ -30,8 +30,9 @@ def case(name):
         return [*SMALL, "--set", "protocol.max_displacement=0.1%"]
     if test == "concrete_cyclic_40MPa":
         return [*SMALL, "--set", "protocol.stages=[{confining_pressure: 40 MPa}, {axial_strain: 0.2 %}]"]
-    strain = ("0.05%" if "tension" in test else "0.3%" if "cement" in test or paper == "ouyang2017" else
-              "0.2%" if "triaxial" in test else "0.1%")
+    brittle = "bonnet" in test or "quartzite" in test
+    strain = ("0.05%" if "tension" in test else "0.2%" if "triaxial" in test and "concrete" in test else
+              "0.4%" if "cement" in test else "0.1%" if brittle or paper == "onate2015" else "0.3%")
     return [*SMALL, "--set", f"protocol.max_strain={strain}"]
 
 
