@@ -3,16 +3,14 @@
 
 #include "cli/verbs.hpp"
 #include "config/json_schema.hpp"
-#include "study/study.hpp"
+#include "study/study_schema.hpp"
 #include "workflow/workflow.hpp"
 
 namespace breccia::cli {
 
 int schema(const std::string& of) {
   const Registry registry;
-  fmt::print("{}\n", (of == "sweep" ? json_schema(study_schema(), registry, "Breccia study")
-                                    : json_schema(workflow_schema(), registry))
-                         .dump(2));
+  fmt::print("{}\n", (of == "sweep" ? study_json_schema(registry) : json_schema(workflow_schema(), registry)).dump(1));
   return ok;
 }
 

@@ -18,4 +18,10 @@ namespace breccia {
 /// that the file names, if it does.
 Json json_schema(const ParamSpec& root, const PluginDirectory& plugins, const std::string& title = "Breccia workflow");
 
+/// Values of a workflow by their paths, as `--set` and studies have them: what each may be, by a pattern of its path.
+struct ValuesByPath {
+  Json of_path, definitions;
+};
+ValuesByPath json_schema_by_path(const ParamSpec& root, const PluginDirectory& plugins);
+
 }  // namespace breccia

@@ -103,8 +103,9 @@ std::string first_term(const Term& t) {
 }
 std::string next_term(const Term& t) {
   if (t.power > 0) return times_sign + with_power(*t.of, t.power);
+  const std::string twice = t.power == -2 ? std::string("|") + by_sign + t.of->pattern + by_sign + t.of->pattern : "";
   return std::string("(?:") + by_sign + with_power(*t.of, -t.power) + "|" + times_sign + with_power(*t.of, t.power) +
-         ")";
+         twice + ")";
 }
 
 /// In each order in which those above the line come before those below.

@@ -12,15 +12,15 @@
 namespace breccia {
 namespace {
 
-struct Quantity {
+struct ColumnOfPath {
   const char* header;
   double WayPoint::*member;
 };
-constexpr Quantity quantities[] = {{"normal_m", &WayPoint::normal},
-                                   {"shear_m", &WayPoint::shear},
-                                   {"rotation_rad", &WayPoint::rotation},
-                                   {"twist_rad", &WayPoint::twist},
-                                   {"time_s", &WayPoint::time}};
+constexpr ColumnOfPath quantities[] = {{"normal_m", &WayPoint::normal},
+                                       {"shear_m", &WayPoint::shear},
+                                       {"rotation_rad", &WayPoint::rotation},
+                                       {"twist_rad", &WayPoint::twist},
+                                       {"time_s", &WayPoint::time}};
 
 std::vector<std::string> cells_of(std::string line) {
   std::vector<std::string> cells;
@@ -62,7 +62,7 @@ class PathReader {
 
   void read_header(const std::vector<std::string>& cells) {
     std::vector<std::string> known;
-    for (const Quantity& q : quantities) known.push_back(q.header);
+    for (const ColumnOfPath& q : quantities) known.push_back(q.header);
     for (const std::string& cell : cells) {
       const auto at = std::find(known.begin(), known.end(), cell);
       if (at == known.end())

@@ -18,8 +18,11 @@ class Damaged(ResultsError):
     """A file that Breccia wrote and that is not whole any more, or of a format that this package does not know."""
 
 
-class NotThere(ResultsError, LookupError):
+class NotThere(ResultsError, KeyError):
     """A result, curve, array or file that these results do not have."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])  # KeyError would show it in quotes
 
 
 class NeedsPackage(ResultsError):

@@ -28,12 +28,12 @@ class Run:
         """NotResults if the folder is not one of a run of Breccia; Damaged if that cannot be told."""
         self.folder = Path(folder)
         whole, growing = manifests(self.folder)
-        if whole is not None and whole.kind != "run":
-            what = {"study": "; read it by `open_study`"}.get(whole.kind, "")
-            raise NotResults(f"{self.folder}: holds a {whole.kind}, not a run{what}")
+        manifest = whole or growing
+        assert manifest is not None  # one of the two is there
+        if manifest.kind != "run":
+            what = "; read it by `open_study`" if manifest.kind == "study" else ""
+            raise NotResults(f"{self.folder}: holds a {manifest.kind}, not a run{what}")
         self.place = self.folder if whole is not None else self.folder / UNFINISHED
-        manifest = whole if whole is not None else growing
-        assert manifest is not None
         if (self.place / "summary.json").is_file():
             stopped = self.summary.get("interrupted", False) or not manifest.finished
             self.state = INTERRUPTED if stopped else FINISHED

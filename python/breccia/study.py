@@ -12,7 +12,7 @@ import numpy
 
 from .columns import Floats, data_frame
 from .errors import Damaged, NotResults, NotThere, did_you_mean
-from .files import UNFINISHED, manifests, read_object, read_rows
+from .files import UNFINISHED, manifests, read_json, read_object, read_rows
 from .run import Run
 
 Cell = float | str
@@ -135,12 +135,27 @@ class Study(Sequence[Case]):
             raise NotThere(f"{self.folder}: `{name}` is no number in all cases: `{text}`")
         return numpy.array([numpy.nan if isinstance(c, str) else c for c in cells], dtype=numpy.float64)
 
+    @cached_property
+    def _units(self) -> dict[str, str]:
+        """results.json, which earlier versions did not write."""
+        file = next((f for f in (self.folder / "results.json", self.folder / UNFINISHED / "results.json")
+                     if f.is_file()), None)
+        if file is None:
+            return {}
+        try:
+            return {str(column["header"]): str(column["unit"]) for column in read_json(file)}
+        except (KeyError, TypeError):
+            raise Damaged(f"{file}: is no list of columns") from None
+
     def unit(self, key: str) -> str:
-        """SI unit of a value, by the summary of the first case that has it. NotThere."""
+        """SI unit of an input or a value, "1" of a pure number; of a study by an earlier version only those that the
+        summary of a case has. NotThere, Damaged."""
+        if key in self._units:
+            return self._units[key]
         for case in self.finished:
             if key in case.run.summary:
                 return case.run.summary.unit(key)
-        raise NotThere(f"{self.folder}: no finished case has `{key}` in its summary{did_you_mean(key, self.keys)}")
+        raise NotThere(f"{self.folder}: has no unit of `{key}`{did_you_mean(key, (*self.inputs, *self.keys))}")
 
     def frame(self) -> Any:
         """A pandas.DataFrame with a row for each case. NeedsPackage without pandas."""

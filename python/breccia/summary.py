@@ -12,6 +12,9 @@ from .errors import Damaged, NotThere, did_you_mean
 from .files import read_object
 
 
+FORMAT = 1  # of summary.json
+
+
 @dataclass(frozen=True)
 class Quantity:
     """A number with its SI unit; "1" of a pure number. NaN: the run could not measure it."""
@@ -40,7 +43,9 @@ class Summary(Mapping[str, Any]):
         if not isinstance(units, dict):
             raise Damaged(f"{file}: its `units` are no mapping")
         self.file = file
-        self._read = {key: value for key, value in read.items() if key != "units"}
+        if not isinstance(of := read.get("format", FORMAT), int) or of > FORMAT:
+            raise Damaged(f"{file}: is of format {of}; this package reads up to {FORMAT}")
+        self._read = {key: value for key, value in read.items() if key not in ("format", "units", "values")}
         self._units: dict[str, str] = {str(key): str(unit) for key, unit in units.items()}
         self._keys = {key[:-len(end)]: key for key, unit in self._units.items()
                       if (end := _written(unit)) and key.endswith(end)}

@@ -6,6 +6,7 @@ from .report import Report
 from .runs import Case, mean, spread
 
 SEEDS = [1, 2, 3, 4, 5]
+SHOWN = ["*"]   # of its pictures, in docs: they are few
 SPACES = {"2d": "Discs (PFC2D)", "3d": "Spheres (PFC3D)"}
 TESTS = ("ucs", "brazilian", "tension")
 SPREAD = "spread"   # a variant of the Brazilian test: the load on several grains
@@ -16,7 +17,6 @@ ROCK = {"E": "69 ± 5.8", "nu": "0.26 ± 0.04", "UCS": "200 ± 22", "TS": "9.3 �
 TARGET = 0.10
 MODULUS, RATIO, STRENGTH = "youngs_modulus_Pa", "particles_poisson_ratio", "peak_stress_Pa"
 SPLITTING = "brazilian.peak_tensile_stress_Pa"
-SHOWN = ["*"]   # of its pictures, in docs: they are few
 
 
 def validate(runner, seeds):

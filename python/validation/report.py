@@ -101,7 +101,7 @@ def written(numbers):
 
 def published(text, paper, source, docs, shown):
     """The report for the tree: with those of its pictures whose names match one of the patterns `shown`; these are copied
-    from `source`. A figure of which nothing is shown goes with its caption."""
+    from `source`. A figure of which nothing is shown goes with its caption. Says where the numbers are."""
     folder, kept = docs / paper, set()
 
     def is_shown(file):
@@ -121,9 +121,9 @@ def published(text, paper, source, docs, shown):
                 continue
             line = " ".join(p[0] for p in here)
         lines.append(line)
-    if left_out:
-        first = next((k for k, line in enumerate(lines) if line.startswith("## ")), len(lines))
-        lines[first:first] = [f"The report that `tools/validate {paper}` leaves beside the results has {left_out} pictures more.", ""]
+    more = f"; the report that `tools/validate {paper}` leaves beside the results has {left_out} pictures more" if left_out else ""
+    first = next((k for k, line in enumerate(lines) if line.startswith("## ")), len(lines))
+    lines[first:first] = [f"The same numbers as data: [{paper}.json]({paper}.json){more}.", ""]
     pictures = {name: (source / paper / name).read_bytes() for name in sorted(kept)}
     shutil.rmtree(folder, ignore_errors=True)
     for name, data in pictures.items():

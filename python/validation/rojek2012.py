@@ -163,13 +163,18 @@ def observed(report, runs):
 
 
 class Figures(Drawing):
-    def render(self, run, pictures, wanted, prefix, size):
-        out = self._render(run, pictures, prefix, size)
-        return [self._take(out / f"{name}.png", f"{prefix}_{name}.png") for name in wanted]
+    def pictures(self, run, show, prefix, size):
+        """A function that takes some of what a run's pictures are, by their names."""
+        out = self._render(run, [show], prefix, size)
+        return lambda *names: self.taken(out, names, prefix)
 
-    def compare(self, runs, models, wanted, prefix):
+    def charts(self, runs, models, prefix):
+        """The same of a comparison."""
         out = self._compare([r.folder for r in runs], [f"model {m}" for m in models], prefix, [])
-        return [self._take(out / f"{name}.png", f"{prefix}_{name}.png") for name in wanted]
+        return lambda *names: self.taken(out, names, prefix)
+
+    def taken(self, out, names, prefix):
+        return [self._take(out / f"{name}.png", f"{prefix}_{name}.png") for name in names]
 
 
 def figures(report, runner, runs):
@@ -179,31 +184,26 @@ def figures(report, runner, runs):
     def figure(numbers, caption, files):
         drawing._show(report, numbers, caption, files)
 
-    def render(run, show, wanted, prefix, size):
-        return drawing.render(run, [show], wanted, prefix, size)
-
-    def compare(s, models, wanted, prefix):
-        return drawing.compare([runs[s, m][0] for m in models], models, wanted, prefix)
+    def of(unit):
+        return [f"histogram_{name}" for name, _, its in QUANTITIES if its == unit]
 
     for s, (linear, rose, squares) in {"1": ("5", "6", "7"), "2": ("8", "10", "9")}.items():
-        run = runs[s, "1"][0]
-        tables = {"show": "tables"}
-        figure(f"Figure {linear}", f"Specimen {s}: radii and bonded pairs",
-               render(run, tables, [f"histogram_{n}" for n, _, unit in QUANTITIES if unit == "m"], f"specimen{s}", 600))
-        figure(f"Figure {rose}", f"Specimen {s}: directions of the bonds", render(run, tables, ["rose_xy", "rose_yz", "rose_zx"], f"specimen{s}", 600))
-        figure(f"Figure {squares}", f"Specimen {s}: squares",
-               render(run, tables, [f"histogram_{n}" for n, _, unit in QUANTITIES if unit == "m2"], f"specimen{s}", 600))
+        tables = drawing.pictures(runs[s, "1"][0], {"show": "tables"}, f"specimen{s}", 600)
+        figure(f"Figure {linear}", f"Specimen {s}: radii and bonded pairs", tables(*of("m")))
+        figure(f"Figure {rose}", f"Specimen {s}: directions of the bonds", tables("rose_xy", "rose_yz", "rose_zx"))
+        figure(f"Figure {squares}", f"Specimen {s}: squares", tables(*of("m2")))
     evolution = ["broken_shear", "broken_tension", "global_damage"]
     for s, numbers in {"1": dict(local="12", damage="13", b="15", c="16", uniform="17", failed="11 and 14"),
                        "2": dict(local="19", damage="20", b="22", c="23", uniform="24", failed="18 and 21")}.items():
+        def charts(models, name):
+            return drawing.charts([runs[s, m][0] for m in models], models, f"specimen{s}_{name}")
         failed = []
         for m in MODELS:
-            failed += render(runs[s, m][0], {"show": "specimen", "low": 0, "high": 1}, ["specimen"], f"specimen{s}_model{m}", 500)
+            failed += drawing.pictures(runs[s, m][0], {"show": "specimen", "low": 0, "high": 1}, f"specimen{s}_model{m}", 500)("specimen")
         figure(f"Figures {numbers['failed']}", f"Specimen {s} after failure, damage of the particles; models 1, 2, 3a, 3b, 3c", failed)
-        figure(f"Figure {numbers['local']}", f"Specimen {s}: models 1 and 2", compare(s, ["1", "2"], ["stress_strain"], f"specimen{s}_local"))
-        figure(f"Figure {numbers['damage']}", f"Specimen {s}: damage, models 1 and 2", compare(s, ["1", "2"], evolution, f"specimen{s}_local"))
-        figure(f"Figure {numbers['b']}", f"Specimen {s}: model 1 and its uniform counterparts",
-               compare(s, ["1", "3a", "3b"], ["stress_strain"], f"specimen{s}_model1_uniform"))
-        figure(f"Figure {numbers['c']}", f"Specimen {s}: model 2 and its uniform counterparts",
-               compare(s, ["2", "3a", "3c"], ["stress_strain"], f"specimen{s}_model2_uniform"))
-        figure(f"Figure {numbers['uniform']}", f"Specimen {s}: damage, models 3a, 3b, 3c", compare(s, ["3a", "3b", "3c"], evolution, f"specimen{s}_uniform"))
+        local = charts(["1", "2"], "local")
+        figure(f"Figure {numbers['local']}", f"Specimen {s}: models 1 and 2", local("stress_strain"))
+        figure(f"Figure {numbers['damage']}", f"Specimen {s}: damage, models 1 and 2", local(*evolution))
+        for number, others in (("b", ["1", "3a", "3b"]), ("c", ["2", "3a", "3c"])):
+            figure(f"Figure {numbers[number]}", f"Specimen {s}: model {others[0]} and its uniform counterparts", charts(others, f"model{others[0]}_uniform")("stress_strain"))
+        figure(f"Figure {numbers['uniform']}", f"Specimen {s}: damage, models 3a, 3b, 3c", charts(["3a", "3b", "3c"], "uniform")(*evolution))

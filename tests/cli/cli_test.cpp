@@ -43,6 +43,10 @@ TEST_F(Cli, RunMakesEveryFileAndTheSummaryHasItsKeys) {
                           "energy_error",
                           "reference"})
     EXPECT_TRUE(s.contains(key)) << key;
+  EXPECT_EQ(s["format"], 1);
+  EXPECT_EQ(s["values"]["peak_stress"], (Json{{"value", s["peak_stress_Pa"]}, {"unit", "Pa"}}));
+  EXPECT_EQ(s["values"]["poisson_ratio"], (Json{{"value", s["poisson_ratio"]}, {"unit", "1"}}));
+  EXPECT_EQ(s["values"]["energy.elastic"], (Json{{"value", s["energy"]["elastic_J"]}, {"unit", "J"}}));
   EXPECT_EQ(s["workflow"], "small");
   EXPECT_EQ(s["particles"], 128);
   EXPECT_GT(s["youngs_modulus_Pa"].get<double>(), 1e9);

@@ -24,9 +24,7 @@ std::map<std::string, std::string> results(const fs::path& folder) {
     if (name.starts_with("checkpoints/")) continue;
     files[name] = content(entry.path());
     if (name != "summary.json") continue;
-    Json s = Json::parse(files[name]);
-    for (const char* of_computer : {"wall_time_s", "ns_per_bond_step", "threads"}) s.erase(of_computer);
-    files[name] = s.dump(1);
+    files[name] = without_the_computers(Json::parse(files[name])).dump(1);
   }
   return files;
 }

@@ -87,7 +87,7 @@ class Extxyz : public ::testing::Test {
   }
   Folder folder_;
   QuietHost host_;
-  Specimen specimen_{300, 3};
+  inline static const Specimen specimen_{300, 3};
 };
 
 TEST_F(Extxyz, ParticlesComeBackAsTheyWereInTheOrderOfThePacking) {

@@ -120,6 +120,7 @@ def test_names_that_are_not_there(whole):
     refused(breccia.NotThere, "has no field", lambda: run.particles[0].field("height"))
     refused(breccia.NotThere, "`contact_law` has no `frction`; did you mean `friction`", lambda: run.setting("contact_law.frction"))
     refused(breccia.NotThere, "there are", lambda: run.frames("particles", "coarse"))
+    assert run.curves.get("nothing") is None and dict(run.curves).keys() >= {"time", "axial_stress"}
     with pytest.raises(IndexError, match="frames, no number 99"):
         run.particles[99]
 

@@ -24,7 +24,7 @@ def test_values_are_those_of_the_runs(study):
     read = breccia.open_study(study)
     moduli = read.column("youngs_modulus_Pa")
     assert [c.run.quantity("youngs_modulus").value for c in read.finished] == moduli[:2].tolist() and numpy.isnan(moduli[2:]).all()
-    assert read.unit("youngs_modulus_Pa") == "Pa" and read.unit("particles") == "1"
+    assert [read.unit(n) for n in ("youngs_modulus_Pa", "particles", MODULUS, LIMIT, "stiffening")] == ["Pa", "1", "Pa", "1", "1"]
     assert read.column("stiffening")[:2] == pytest.approx(moduli[:2] / read.column(MODULUS)[:2])
     assert moduli[1] / moduli[0] == pytest.approx(2, rel=0.02)  # bonds alone are elastic here; platens are stiffer still
 
@@ -50,8 +50,19 @@ def test_names_that_are_not_there(study):
     read = breccia.open_study(study)
     with pytest.raises(breccia.NotThere, match="did you mean `youngs_modulus_Pa`"):
         read.column("youngs_modulus_P")
-    with pytest.raises(breccia.NotThere, match="no finished case has"):
+    with pytest.raises(breccia.NotThere, match="has no unit of `nothing`"):
         read.unit("nothing")
+
+
+def test_units_of_a_study_by_an_earlier_version(study, tmp_path):
+    copy = shutil.copytree(study, tmp_path / "copy")
+    (copy / "results.json").write_text('[{"unit": "Pa"}]')
+    with pytest.raises(breccia.Damaged, match="results.json: is no list of columns"):
+        breccia.open_study(copy).unit("youngs_modulus_Pa")
+    (copy / "results.json").unlink()
+    assert breccia.open_study(copy).unit("youngs_modulus_Pa") == "Pa"
+    with pytest.raises(breccia.NotThere, match="has no unit of"):
+        breccia.open_study(copy).unit(MODULUS)
 
 
 def test_a_damaged_table(study, tmp_path):

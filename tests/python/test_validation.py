@@ -101,7 +101,7 @@ def test_numbers_are_written_beside_the_text(tree):
     assert read["tables"] == reports.tables_of((tree / "docs/validation/paper.md").read_text())
     assert read["targets_not_met"] == report.missed and len(report.missed) == 1
     text = (tree / "docs/validation/paper.md").read_text()
-    assert text == (tree / "results/paper.md").read_text() and text.index("Targets not met") < text.index("## Packing") and "`slow_seed1`" in text
+    assert text.replace("The same numbers as data: [paper.json](paper.json).\n\n", "") == (tree / "results/paper.md").read_text() and text.index("Targets not met") < text.index("## Packing") and "`slow_seed1`" in text
 
 
 def test_the_tree_has_the_pictures_that_are_chosen(tree):
@@ -110,10 +110,11 @@ def test_the_tree_has_the_pictures_that_are_chosen(tree):
         (tree / "results/paper" / name).write_bytes(name.encode())
     text = "# P\n\nIntro.\n\n## F\n\n**Fig. 1.** Two.\n\n![t](paper/a.png) ![t](paper/b.png)\n\n**Fig. 2.** One.\n\n![t](paper/c.png)\n\nEnd.\n"
     shown = reports.published(text, "paper", tree / "results", tree / "docs/validation", ["a.*"])
-    assert shown == ("# P\n\nIntro.\n\nThe report that `tools/validate paper` leaves beside the results has 2 pictures more.\n\n"
+    assert shown == ("# P\n\nIntro.\n\nThe same numbers as data: [paper.json](paper.json); the report that `tools/validate paper` leaves "
+                     "beside the results has 2 pictures more.\n\n"
                      "## F\n\n**Fig. 1.** Two.\n\n![t](paper/a.png)\n\nEnd.\n")
     assert [f.name for f in (tree / "docs/validation/paper").iterdir()] == ["a.png"]
-    assert reports.published(text, "paper", tree / "results", tree / "docs/validation", ["*"]) == text
+    assert reports.published(text, "paper", tree / "results", tree / "docs/validation", ["*"]) == text.replace("## F", "The same numbers as data: [paper.json](paper.json).\n\n## F")
 
 
 @pytest.mark.parametrize("paper", PAPERS, ids=lambda p: p.stem)

@@ -49,7 +49,7 @@ const cases = [
   [['contact_law', 'tensile_strength'], { mean: '4 mm', distribution: 'weibull', modulus: 6 }, 'refused'],
   [['contact_law', 'tensile_strength'], { mean: '4 MPa', distribution: 'weibull' }, 'refused'],
   [['contact_law', 'tensile_strength'], { mean: '4 MPa', distribution: 'gauss', modulus: 6 }, 'refused'],
-  [['postprocessors'], [{ type: 'gauges' }], 'refused'], [['postprocessors'], [{ type: 'stress' }], 'fine'],
+  [['postprocessors'], [{ type: 'gauge' }], 'refused'], [['postprocessors'], [{ type: 'stress' }], 'fine'],
   [['postprocessors'], [{ type: 'stress', name: 'up per' }], 'refused'], [['outputs'], { type: 'vtk' }, 'refused'],
   [['outputs'], [{ type: 'extxyz', interval: '1 ms', gzip: true }], 'fine'],
   [['outputs'], [{ type: 'extxyz', interval: '1 mm' }], 'refused'], [['curves'], { hdf5: true }, 'fine'],
@@ -66,6 +66,27 @@ const in_variant = [
   [{ protocol: { max_strain: '1 %' }, damping: { rotational: 0.5 } }, 'fine'], [{ postprocessors: [{ every: 3 }] }, 'refused'],
   [{ material: { density: '2 m' } }, 'refused'], [{ outputs: [] }, 'fine'],
 ];
+
+// Of a study, by the schema alone: which plugins its workflow has is in another file.
+const study = validator([breccia, 'schema', 'sweep']);
+const in_study = [
+  ['grid', 'contact_law.friction', [0.2, '40 %'], ''], ['grid', 'contact_law.friction', 0.2, 'refused'],
+  ['grid', 'contact_law.friction', ['1 mm'], 'refused'], ['grid', 'contact_law.frictoin', [0.2], 'refused'],
+  ['grid', 'contact_law.bond_modulus', ['10 GPa', '20 GPa'], ''], ['grid', 'contact_law.bond_modulus', ['10 mm'], 'refused'],
+  ['grid', 'contact_law[0].bond_modulus', ['10 GPa'], ''], ['grid', 'contact_law.tensile_strength.mean', ['10 MPa'], ''],
+  ['grid', 'contact_law.type', ['elastic_brittle', 'soft_bond'], ''], ['grid', 'contact_law.type', ['elastic'], 'refused'],
+  ['grid', 'packing.container.diameter', ['10 mm'], ''], ['grid', 'packing.container.diameter', ['10 MPa'], 'refused'],
+  ['grid', 'packing.container.size[0]', ['10 mm'], ''], ['grid', 'postprocessors[1].every', ['1 m'], 'refused'],
+  ['grid', 'materials.quartz.density', ['2650 kg/m3'], ''], ['grid', 'seed', [1, 2], ''], ['grid', 'seed', [-1], 'refused'],
+  ['grid', 'variants', ['small', 'large'], ''], ['list', 'damping.translational', [0.1, 1.1], 'refused'], ['grid', 'seed', [], 'refused'],
+  ['fixed', 'outputs', [], ''], ['fixed', 'protocol.max_strain', '1 %', ''], ['fixed', 'protocol.max_strain', '1 MPa', 'refused'],
+  ['fixed', 'engine', { skin: 0.2 }, ''], ['fixed', 'engine', 0.2, 'refused'], ['fixed', 'engine.skim', 0.2, 'refused'], ['fixed', 'reference.strength_Pa', 3e6, ''],
+];
+for (const [section, parameter, value, expected] of in_study) {
+  const text = YAML.stringify({ workflow: 'w.yaml', grid: { seed: [1, 2] }, [section]: { [parameter]: value } });
+  if (Boolean(study(text)) !== Boolean(expected))
+    fail(`${section} ${parameter}: ${JSON.stringify(value)}: the schema: ${study(text) || 'is fine'}; expected: ${expected || 'fine'}`);
+}
 
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'breccia-schema-'));
 process.on('exit', () => fs.rmSync(folder, { recursive: true }));
@@ -89,4 +110,4 @@ for (const [place, value, expected] of cases) {
 }
 for (const [change, expected] of in_variant)
   compare(`variant ${JSON.stringify(change)}`, { ...YAML.parse(brittle), variants: { other: change } }, ['--variant', 'other'], expected);
-console.log(`${cases.length + in_variant.length} values`);
+console.log(`${cases.length + in_variant.length + in_study.length} values`);

@@ -60,7 +60,7 @@ std::vector<Slab> slabs_of(const TestSetup& setup) {
   const SpecimenShape& s = *setup.specimen;
   const Vec3 centre = s.base + 0.5 * s.height * s.axis;
   for (const Platen& p : setup.platens) {
-    const double thickness = 0.025 * s.extent.cwiseAbs().maxCoeff();
+    const double thickness = 0.025 * setup.size();
     int along = 0;
     p.normal.cwiseAbs().maxCoeff(&along);
     Vec3 sides[2];
@@ -107,8 +107,7 @@ Viewpoint::Viewpoint(const Spheres& spheres, const TestSetup& setup, const Direc
       for (int c = 0; c < 8; ++c)
         include(s.centre + (c & 1 ? s.a : Vec3(-s.a)) + (c & 2 ? s.b : Vec3(-s.b)) + (c & 4 ? s.c : Vec3(-s.c)), 0);
   if (setup.specimen)
-    for (const DeadLoad& l : setup.loads)
-      include(l.tip - 1.1 * arrow_share * setup.specimen->extent.maxCoeff() * l.direction, 0);
+    for (const DeadLoad& l : setup.loads) include(l.tip - 1.1 * arrow_share * setup.size() * l.direction, 0);
   // A single point, or points in a row: some room about them.
   const double room = std::max({high_.x() - low_.x(), high_.y() - low_.y(), 1e-9});
   for (int k = 0; k < 2; ++k)
@@ -161,7 +160,7 @@ bool Viewpoint::frames(const Vec3& x, double radius) const {
 
 Viewpoint::Paper Viewpoint::paper(int size, bool titled) const {
   const double aspect = (high_.x() - low_.x()) / (high_.y() - low_.y()), usable = usable_height - (titled ? 5 : 0);
-  constexpr double widest = 160, least_height = 45, sides = left_margin + right_margin;
+  constexpr double widest = 160, least_height = 52, sides = left_margin + right_margin;
   const double unit = size / 100.0, width = std::clamp(usable * aspect + sides, 65.0, widest);
   // What is much wider than high, a beam, needs a sheet that is less high.
   const double needed = (widest - sides) / aspect + 100 - usable;

@@ -31,7 +31,7 @@ Scale scale_of(const Values& v, const ColourWish& wish) {
   const bool share =
       v.name.find("damage") != std::string::npos && (v.unit.empty() || v.unit == "1") && low >= 0 && high <= 1;
   // Noise about zero of what has no sign, or a push that goes one way, is not worth half of the colours.
-  constexpr double worth_showing = 0.05;
+  constexpr double worth_showing = 0.1;
   const bool is_signed = !share && low < 0 && high > 0 && std::min(-low, high) > worth_showing * std::max(-low, high);
   if (share) {
     low = 0;

@@ -8,7 +8,7 @@ namespace breccia::pictures {
 
 Cutting::Cutting(const SceneWish& wish, const TestSetup& setup, const Direction& direction, const Vec3& middle,
                  double extent)
-    : cut_(wish.cut), middle_(middle), toward_(direction.toward), default_slab_(0.15 * extent) {
+    : cut_(wish.cut), middle_(middle), toward_(direction.toward), extent_(extent) {
   if (cut_ == Cut::automatic) cut_ = setup.best_from_the_face ? Cut::half : Cut::quarter;
   // A quarter is taken out along what stands upright in the picture.
   const bool along_axis = setup.specimen && std::abs(setup.specimen->axis.dot(toward_)) < 0.9;
@@ -30,9 +30,9 @@ Cutting::Cutting(const SceneWish& wish, const TestSetup& setup, const Direction&
   }
 }
 
-void Cutting::take_middle_slab() {
+void Cutting::take_middle_slab(double share) {
   slice_ = true;
-  thickness_ = default_slab_;
+  thickness_ = share * extent_;
   slice_point_ = middle_;
   slice_normal_ = toward_;
 }

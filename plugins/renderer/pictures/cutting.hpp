@@ -14,15 +14,16 @@ class Cutting {
   bool shows_sphere(const Vec3& centre, double radius) const;
   bool shows_crack(const Vec3& x) const;
 
-  /// Of cracks that hide each other: a slab in the middle of the specimen, square to the rays.
-  void take_middle_slab();
+  /// Of cracks that hide each other: a slab in the middle of the specimen, square to the rays, as thick as this share
+  /// of the specimen.
+  void take_middle_slab(double share);
 
   /// Spheres are drawn as what this plane cuts of them.
   bool is_section() const { return slice_ && !thickness_; }
   const Vec3& point() const { return slice_point_; }
   const Vec3& normal() const { return slice_normal_; }
   /// Of the slab that cracks are shown of; 0: all of them [m].
-  double crack_slab() const { return slice_ ? thickness_.value_or(default_slab_) : 0; }
+  double crack_slab() const { return slice_ ? thickness_.value_or(0.15 * extent_) : 0; }
 
  private:
   bool clipped(const Vec3& x) const;
@@ -33,7 +34,7 @@ class Cutting {
        clip_normal_ = Vec3::UnitZ();
   Cut cut_;
   Vec3 middle_, toward_, front_, side_;
-  double default_slab_;
+  double extent_;
 };
 
 }  // namespace breccia::pictures

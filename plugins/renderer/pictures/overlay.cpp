@@ -23,7 +23,7 @@ void Overlay::paint(Painter& painter) const {
   if (scale_bar > 0) paint_scale(painter);
   if (!directions.empty()) paint_directions(painter);
   for (std::size_t k = 0; k < captions.size(); ++k)
-    painter.text({width - 3 * u, (3.6 + 3 * double(k)) * u}, type_size * u, Anchor::end, captions[k], colour);
+    painter.text({width - 3 * u, (3.6 + 5.2 * double(k)) * u}, type_size * u, Anchor::end, captions[k], colour);
   if (!title.empty()) painter.text({0.5 * width, height - 4 * u}, 1.15 * title_size * u, Anchor::middle, title, colour);
   for (const auto& [from, to] : arrows) paint_arrow(painter, from, to);
 }
@@ -73,7 +73,13 @@ void Overlay::paint_scale(Painter& painter) const {
 }
 
 void Overlay::paint_directions(Painter& painter) const {
-  const double u = unit, x = 5 * u, y = 4.5 * u, length = 3.4 * u;
+  const double u = unit, length = 3.4 * u;
+  double left = 0, down = 0;  // how far they reach to where the sheet ends
+  for (const auto& [d, name] : directions) {
+    left = std::max(left, -d.x());
+    down = std::max(down, -d.y());
+  }
+  const double x = std::max(5.0, 2.5 + 4.6 * left) * u, y = std::max(4.5, 2.0 + 4.6 * down) * u;
   for (const auto& [d, name] : directions) {
     if (d.norm() < 0.15) continue;  // points at the reader
     line(painter, x, y, x + length * d.x(), y + length * d.y(), 0.2);

@@ -130,7 +130,6 @@ void PictureConfig::check(const std::string& path, Issues& issues) const {
   refuse(low || high, scene && show != Motif::cracks, low ? "low" : "high", "pictures that have a colour bar");
   refuse(frame.has_value(), scene || show == Motif::histogram, "frame", "pictures of one instant");
   refuse(bins.has_value(), show == Motif::histogram, "bins", "histograms");
-  refuse(cut.has_value(), show == Motif::cutaway, "cut", "a `cutaway`");
   refuse(camera.has_value(), scene, "camera", scenes);
   refuse(slice.has_value(), scene, "slice", scenes);
   refuse(clip.has_value(), scene, "clip", scenes);

@@ -65,8 +65,10 @@ void add_cylinder(Scene& scene, const SpecimenShape& s, const Projection& view, 
     add_ellipse(scene, end, radius * a, radius * b, view, width);
   }
   const Vec3 side = view.toward.cross(s.axis);  // where the rays touch the barrel
-  if (side.norm() > 1e-9)
-    add_wall(scene, 0.5 * (s.base + top), radius * side.normalized(), 0.5 * s.height * s.axis, false);
+  if (!(side.norm() > 1e-9)) return;
+  const Vec3 out = radius * side.normalized();
+  add_wall(scene, 0.5 * (s.base + top), out, 0.5 * s.height * s.axis, false);
+  for (const double k : {-1.0, 1.0}) add_line(scene, s.base + k * out, top + k * out, view, width);
 }
 
 void add_ellipsoid(Scene& scene, const Vec3& centre, const Vec3& half, const Projection& view, double width) {
@@ -119,15 +121,18 @@ void add_slabs(Scene& scene, const std::vector<Slab>& slabs) {
     }
 }
 
+double shadow_gap(const Spheres& spheres) {
+  double mean = 0;
+  for (const double r : spheres.radius) mean += r / double(spheres.size());
+  return 0.5 * mean;
+}
+
 namespace {
 
 /// Of two things behind everything the first one is seen: pale discs, then darker ones that stand out at the edge
 /// alone.
 void add_shadow(Scene& scene, const Spheres& spheres, const Projection& view, double width) {
-  if (spheres.size() == 0) return;
-  double mean = 0;
-  for (const double r : spheres.radius) mean += r / double(spheres.size());
-  const double gap = 0.5 * mean;  // fills what is free between neighbours
+  const double gap = shadow_gap(spheres);
   for (const bool edge : {false, true})
     for (std::size_t p = 0; p < spheres.size(); ++p) {
       const double r = spheres.radius[p] + gap + (edge ? width : 0);

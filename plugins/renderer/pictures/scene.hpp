@@ -20,6 +20,9 @@ void add_cracks(Scene& scene, const std::vector<BrokenBond>& cracks, const std::
 
 void add_slabs(Scene& scene, const std::vector<Slab>& slabs);
 
+/// How far the shadow of an irregular specimen stands out of its particles, to fill what is free between them [m].
+double shadow_gap(const Spheres& spheres);
+
 /// The specimen as it was when loading began: a pale wall behind everything and thin edges, `line_width` [m] wide.
 /// Of an irregular specimen the frame knows no surface: the shadow of its particles as they were then, `spheres`.
 void add_outline(Scene& scene, const SpecimenShape& specimen, int dimension, const Projection& projection,

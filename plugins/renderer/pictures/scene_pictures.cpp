@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "breccia/error.hpp"
 #include "cutting.hpp"
@@ -14,7 +15,7 @@
 namespace breccia::pictures {
 namespace {
 
-constexpr std::size_t many_cracks = 400;  // in three dimensions more than these hide each other
+constexpr double most_covered = 0.3;  // of the view: cracks that cover more hide each other
 constexpr Rgb mode_colour[3] = {blue, vermillion, green}, held_colour{70, 70, 74}, plain_colour{205, 205, 200};
 
 std::string length_text(double metres) {
@@ -72,9 +73,8 @@ class Drawing {
 
  private:
   void look(SceneFixed& fixed) {
-    if (!fixed.crowded)
-      fixed.crowded = wish_.cracks && setup_.dimension == 3 && !options_.slice && all_cracks_ > many_cracks;
-    const bool crowded = *fixed.crowded;
+    if (!fixed.slab) fixed.slab = wish_.cracks && !options_.slice ? uncrowded_slab() : 1.0;
+    const bool crowded = *fixed.slab < 1;
     const bool face = setup_.best_from_the_face || options_.slice || crowded;
     CameraConfig camera = options_.camera.value_or(CameraConfig{{}, {}, {}, 1});
     if (options_.slice && options_.slice->normal && !camera.view && !camera.direction)
@@ -90,6 +90,14 @@ class Drawing {
           framed.position.push_back(c.position);
           framed.radius.push_back(c.radius);
         }
+      if (wish_.cracks && setup_.specimen) {  // and the shadow that is the outline of an irregular specimen
+        const Spheres start = at_start();
+        const double gap = shadow_gap(start);
+        for (std::size_t p = 0; p < start.size(); ++p) {
+          framed.position.push_back(start.position[p]);
+          framed.radius.push_back(start.radius[p] + gap);
+        }
+      }
       fixed.view.emplace(framed, setup_, direction, camera.zoom, platens_);
     }
     view_ = &*fixed.view;
@@ -109,7 +117,19 @@ class Drawing {
       extent = (high - low).dot(direction.toward.cwiseAbs());
     }
     cutting_.emplace(wish_, setup_, view_->direction(), middle, extent);
-    if (crowded) cutting_->take_middle_slab();
+    if (crowded) cutting_->take_middle_slab(*fixed.slab);
+  }
+
+  /// As thick a slab, seen from the face, as keeps most of the view free [share of the specimen].
+  double uncrowded_slab() const {
+    if (setup_.dimension == 2 || !setup_.specimen) return 1;
+    double covered = 0;
+    for (const BrokenBond& c : cracks_)
+      covered += std::numbers::pi * c.radius * c.radius * std::abs(c.normal.dot(setup_.face));
+    const Vec3 right = setup_.up.cross(setup_.face);
+    const double all =
+        setup_.specimen->extent.dot(right.cwiseAbs()) * setup_.specimen->extent.dot(setup_.up.cwiseAbs());
+    return covered <= most_covered * all ? 1.0 : std::max(0.02, most_covered * all / covered);
   }
 
   void take_spheres(SceneFixed& fixed) {
@@ -211,7 +231,7 @@ class Drawing {
     }
     if (!setup_.specimen) return;
     for (const DeadLoad& load : setup_.loads) {
-      const Vec3 from = load.tip - arrow_share * setup_.specimen->extent.maxCoeff() * load.direction;
+      const Vec3 from = load.tip - arrow_share * setup_.size() * load.direction;
       overlay_.arrows.emplace_back(projection.seen(from).head<2>(), projection.seen(load.tip).head<2>());
     }
   }
@@ -233,32 +253,6 @@ class Drawing {
 };
 
 }  // namespace
-
-Values colour_values(const SceneFrame& frame, const SceneWish& wish) {
-  vtkPointData* data = frame.particles->GetPointData();
-  if (wish.across) {
-    const Vec3& along = frame.setup.across;
-    if (along.isZero()) throw UserError("the files do not say along which direction this specimen opens or bends");
-    Values sum = field_of(data, "displacement_x");
-    for (double& v : sum.value) v *= along.x();
-    for (int k = 1; k < 3; ++k) {
-      const Values more = field_of(data, std::string("displacement_") + "xyz"[k]);
-      for (std::size_t p = 0; p < sum.value.size(); ++p) sum.value[p] += along[k] * more.value[p];
-    }
-    sum.name = "displacement_across";
-    for (int k = 0; k < 3; ++k)
-      if (along[k] > 0.999) sum.name = std::string("displacement_") + "xyz"[k];
-    return sum;
-  }
-  if (!wish.field.empty()) return field_of(data, wish.field);
-  if (data->HasArray("damage")) {
-    Values damage = field_of(data, "damage");
-    if (!data->HasArray("displacement") ||
-        std::any_of(damage.value.begin(), damage.value.end(), [](double v) { return v > 0; }))
-      return damage;
-  }
-  return field_of(data, data->HasArray("displacement") ? "displacement" : "radius");
-}
 
 void fix_scene(const SceneFrame& frame, const SceneWish& wish, const Sheet& sheet, SceneFixed& fixed) {
   Drawing(frame, wish, sheet, fixed);

@@ -31,7 +31,7 @@ struct SceneWish {
 
 /// What stays the same over the frames of a movie: taken from the first frame that is drawn, unless it is there.
 struct SceneFixed {
-  std::optional<bool> crowded;  ///< so many cracks that a slab of them is shown
+  std::optional<double> slab;  ///< share of the specimen that cracks are shown of; 1: all of it
   std::optional<Viewpoint> view;
   std::optional<Scale> scale;
 };

@@ -169,9 +169,10 @@ TestSetup setup_of(vtkPolyData* particles, vtkPolyData* bonds, vtkPolyData* wall
     using Outline = SpecimenShape::Outline;
     if (s.dimension == 2) {
       s.best_from_the_face = s.specimen->outline == Outline::ellipsoid;  // a disc between platens splits
-      if (s.best_from_the_face) s.across = s.load.cross(Vec3::UnitZ());
+      s.splits = s.best_from_the_face;
+      if (s.splits) s.across = s.load.cross(Vec3::UnitZ());
     } else if (std::abs(s.load.dot(axis)) < 0.1) {
-      s.best_from_the_face = true;  // a cylinder on its mantle, too
+      s.best_from_the_face = s.splits = true;  // a cylinder on its mantle, too
       s.face = axis.sum() < 0 ? Vec3(-axis) : axis;
       if (std::abs(axis.y()) > 0.5) s.face = -axis;  // seen as the front is
       s.up = s.load;

@@ -30,6 +30,12 @@ struct TestSetup {
   Vec3 face = -Vec3::UnitY();       ///< toward the reader, in the view that is square to the plane of the load
   Vec3 up = Vec3::UnitZ();          ///< upward in that view
   bool best_from_the_face = false;  ///< a disc, a tension test or a beam: other views hide what matters
+  bool splits = false;              ///< a disc between platens, which may roll
+
+  /// The largest extent of the specimen that is seen [m].
+  double size() const {
+    return !specimen ? 0 : dimension == 2 ? specimen->extent.head<2>().maxCoeff() : specimen->extent.maxCoeff();
+  }
 };
 
 /// Each of the frames may be missing.
