@@ -47,8 +47,14 @@ class Summary(Mapping[str, Any]):
             raise Damaged(f"{file}: is of format {of}; this package reads up to {FORMAT}")
         self._read = {key: value for key, value in read.items() if key not in ("format", "units", "values")}
         self._units: dict[str, str] = {str(key): str(unit) for key, unit in units.items()}
-        self._keys = {key[:-len(end)]: key for key, unit in self._units.items()
-                      if (end := _written(unit)) and key.endswith(end)}
+        self._keys: dict[str, str]
+        named = read.get("values")  # {name: {value, unit}}; results of earlier versions have the keys' units alone
+        if isinstance(named, dict):
+            self._keys = {str(name): name + _written(str(it["unit"])) for name, it in named.items()
+                          if isinstance(it, dict) and "unit" in it}
+        else:
+            self._keys = {key[:-len(end)]: key for key, unit in self._units.items()
+                          if (end := _written(unit)) and key.endswith(end)}
 
     @staticmethod
     def load(file: Path) -> Summary:

@@ -30,6 +30,20 @@ def test_numbers_have_units_as_data(whole):
     assert str(breccia.Quantity(2e6, "Pa")) == "2e+06 Pa" and str(breccia.Quantity(0.5, "1")) == "0.5"
 
 
+def test_numbers_are_those_that_the_file_has_by_name(whole):
+    values = json.loads((whole / "summary.json").read_text())["values"]
+    summary = breccia.open_run(whole).summary
+    for name, it in values.items():
+        if isinstance(it["value"], (int, float)):
+            assert summary.quantity(name) == breccia.Quantity(it["value"], it["unit"])
+    assert "values" not in summary and "format" not in summary and len(values) > 20
+
+
+def test_names_without_units_in_summaries_of_earlier_versions(tmp_path):
+    summary = breccia.Summary(tmp_path, {"peak_stress_Pa": 2e6, "units": {"peak_stress_Pa": "Pa"}})
+    assert summary.quantity("peak_stress") == breccia.Quantity(2e6, "Pa")
+
+
 def test_a_unit_may_stand_beside_a_number(tmp_path):
     summary = breccia.Summary(tmp_path, {"packing": {"radius_max": {"unit": "m", "got": 0.9e-3, "asked": 1e-3}}})
     assert summary.quantity("packing.radius_max.asked") == breccia.Quantity(1e-3, "m")

@@ -52,6 +52,8 @@ def test_a_damaged_summary(copy):
     refused(breccia.Damaged, "summary.json:", lambda: breccia.open_run(copy))
     (copy / "summary.json").write_bytes(b"\xff\xfe{")
     refused(breccia.Damaged, "is not a text in UTF-8", lambda: breccia.open_run(copy))
+    (copy / "summary.json").write_text(json.dumps({"format": 2}))
+    refused(breccia.Damaged, "is of format 2; this package reads up to 1", lambda: breccia.open_run(copy))
     (copy / "summary.json").write_text(json.dumps({"units": 3}))
     refused(breccia.Damaged, "its `units`", lambda: breccia.open_run(copy))
     (copy / "summary.json").unlink()
