@@ -175,11 +175,12 @@ class Drawing {
   void take_cracks() {
     std::erase_if(cracks_, [&](const BrokenBond& c) { return !cutting_->shows_crack(c.position); });
     std::size_t count[3] = {0, 0, 0};
-    for (const BrokenBond& c : cracks_) {
-      ++count[c.mode];
-      crack_colour_.push_back(mode_colour[c.mode]);
-    }
-    const bool shown = wish_.cracks || !cracks_.empty();
+    for (const BrokenBond& c : cracks_) ++count[c.mode];
+    const std::size_t some = cracks_.size();
+    // Those that are counted, but magnified out of the picture or broken far off, would lie over the writing.
+    std::erase_if(cracks_, [&](const BrokenBond& c) { return !view_->frames(c.position, 0); });
+    for (const BrokenBond& c : cracks_) crack_colour_.push_back(mode_colour[c.mode]);
+    const bool shown = wish_.cracks || some > 0;
     if (wish_.cracks && wish_.crack_colour == CrackColour::time && !cracks_.empty()) {
       colour_by_time();
     } else if (shown) {
@@ -189,8 +190,8 @@ class Drawing {
           overlay_.legend.push_back({mode_colour[m], std::string(names[m]) + ": " + std::to_string(count[m])});
     }
     if (!shown || cutting_->crack_slab() <= 0) return;
-    const std::string all = std::to_string(all_cracks_), some = std::to_string(cracks_.size());
-    overlay_.captions.push_back(some + " of " + all + " cracks, in a slab of " + length_text(cutting_->crack_slab()));
+    overlay_.captions.push_back(std::to_string(some) + " of " + std::to_string(all_cracks_) + " cracks, in a slab of " +
+                                length_text(cutting_->crack_slab()));
   }
 
   void colour_by_time() {
