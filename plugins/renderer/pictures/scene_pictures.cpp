@@ -82,42 +82,40 @@ class Drawing {
     const Direction direction = direction_of(camera, setup_, face);
     const bool from_the_face = direction.toward.dot(setup_.face) > 0.999 || setup_.dimension == 2;
     platens_ = options_.platens.value_or(setup_.best_from_the_face && from_the_face);
-    if (!fixed.view) {
-      Spheres framed = wish_.cracks ? ends_of(frame_.bonds) : spheres_of(frame_.particles);
-      if (framed.position.empty()) throw UserError("there are no particles to draw");
-      if (wish_.cracks)  // and the cracks themselves, which stick out between the outermost
-        for (const BrokenBond& c : cracks_) {
-          framed.position.push_back(c.position);
-          framed.radius.push_back(c.radius);
-        }
-      if (wish_.cracks && setup_.specimen) {  // and the shadow that is the outline of an irregular specimen
-        const Spheres start = at_start();
-        const double gap = shadow_gap(start);
-        for (std::size_t p = 0; p < start.size(); ++p) {
-          framed.position.push_back(start.position[p]);
-          framed.radius.push_back(start.radius[p] + gap);
-        }
-      }
-      fixed.view.emplace(framed, setup_, direction, camera.zoom, platens_);
-    }
+    if (!fixed.view) fixed.view.emplace(framed(), setup_, direction, camera.zoom, platens_);
     view_ = &*fixed.view;
-    Vec3 middle = Vec3::Zero();
-    double extent = 0;
-    if (setup_.specimen) {
-      middle = setup_.specimen->base + 0.5 * setup_.specimen->height * setup_.specimen->axis;
-      extent = setup_.specimen->extent.dot(direction.toward.cwiseAbs());
-    } else {
-      const Spheres all = wish_.cracks ? ends_of(frame_.bonds) : spheres_of(frame_.particles);
-      Vec3 low = all.position.at(0), high = low;
-      for (const Vec3& x : all.position) {
-        low = low.cwiseMin(x);
-        high = high.cwiseMax(x);
-      }
-      middle = 0.5 * (low + high);
-      extent = (high - low).dot(direction.toward.cwiseAbs());
-    }
-    cutting_.emplace(wish_, setup_, view_->direction(), middle, extent);
+    const auto [middle, extent] = box();
+    cutting_.emplace(wish_, setup_, view_->direction(), middle, extent.dot(view_->direction().toward.cwiseAbs()));
     if (crowded) cutting_->take_middle_slab(*fixed.slab);
+  }
+
+  /// What the frame is to hold, as far as it is near the specimen.
+  Spheres framed() const {
+    Spheres all = wish_.cracks ? ends_of(frame_.bonds) : spheres_of(frame_.particles);
+    if (all.position.empty()) throw UserError("there are no particles to draw");
+    if (!wish_.cracks) return all;
+    const auto add = [&](const Vec3& at, double radius) {
+      all.position.push_back(at);
+      all.radius.push_back(radius);
+    };
+    for (const BrokenBond& c : cracks_) add(c.position, c.radius);  // they stick out between the outermost
+    if (!setup_.specimen) return all;
+    const Spheres start = at_start();  // and the shadow that is the outline of an irregular specimen
+    const double gap = shadow_gap(start);
+    for (std::size_t p = 0; p < start.size(); ++p) add(start.position[p], start.radius[p] + gap);
+    return all;
+  }
+
+  /// Middle and size of the specimen, or of what there is [m].
+  std::pair<Vec3, Vec3> box() const {
+    if (const auto& s = setup_.specimen) return {s->base + 0.5 * s->height * s->axis, s->extent};
+    const Spheres all = wish_.cracks ? ends_of(frame_.bonds) : spheres_of(frame_.particles);
+    Vec3 low = all.position.at(0), high = low;
+    for (const Vec3& x : all.position) {
+      low = low.cwiseMin(x);
+      high = high.cwiseMax(x);
+    }
+    return {0.5 * (low + high), high - low};
   }
 
   /// As thick a slab, seen from the face, as keeps most of the view free [share of the specimen].
@@ -175,11 +173,12 @@ class Drawing {
   void take_cracks() {
     std::erase_if(cracks_, [&](const BrokenBond& c) { return !cutting_->shows_crack(c.position); });
     std::size_t count[3] = {0, 0, 0};
-    for (const BrokenBond& c : cracks_) {
-      ++count[c.mode];
-      crack_colour_.push_back(mode_colour[c.mode]);
-    }
-    const bool shown = wish_.cracks || !cracks_.empty();
+    for (const BrokenBond& c : cracks_) ++count[c.mode];
+    const std::size_t some = cracks_.size();
+    // Those that are counted, but magnified out of the picture or broken far off, would lie over the writing.
+    std::erase_if(cracks_, [&](const BrokenBond& c) { return !view_->frames(c.position, 0); });
+    for (const BrokenBond& c : cracks_) crack_colour_.push_back(mode_colour[c.mode]);
+    const bool shown = wish_.cracks || some > 0;
     if (wish_.cracks && wish_.crack_colour == CrackColour::time && !cracks_.empty()) {
       colour_by_time();
     } else if (shown) {
@@ -189,8 +188,8 @@ class Drawing {
           overlay_.legend.push_back({mode_colour[m], std::string(names[m]) + ": " + std::to_string(count[m])});
     }
     if (!shown || cutting_->crack_slab() <= 0) return;
-    const std::string all = std::to_string(all_cracks_), some = std::to_string(cracks_.size());
-    overlay_.captions.push_back(some + " of " + all + " cracks, in a slab of " + length_text(cutting_->crack_slab()));
+    overlay_.captions.push_back(std::to_string(some) + " of " + std::to_string(all_cracks_) + " cracks, in a slab of " +
+                                length_text(cutting_->crack_slab()));
   }
 
   void colour_by_time() {
