@@ -35,9 +35,9 @@ Json of_dimension(const std::string& si_unit) {
   const bool plain = units::find_unit(si_unit)->dimension.empty();
   std::string slips;
   for (const std::string& slip : units_taken_for_slips()) slips += (slips.empty() ? "" : "|") + slip;
-  return text_pattern(R"(^ *)" + number + R"( *(?!(?:)" + slips + R"() *$))" + unit_pattern(si_unit) +
-                          (plain ? "?" : "") + R"( *$)",
-                      needed_quantity(si_unit) + " is needed");
+  return text_pattern(
+      R"(^ *)" + number + R"( *(?!(?:)" + slips + R"() *$))" + unit_pattern(si_unit) + (plain ? "?" : "") + R"( *$)",
+      needed_quantity(si_unit) + " is needed");
 }
 
 /// Units only scale a number, but for temperatures.

@@ -45,7 +45,6 @@ class SchemaWriter {
     return schema;
   }
 
-
   /// Of a value, without what is said about it.
   Json bare_value(const ParamSpec& spec) {
     switch (spec.type) {

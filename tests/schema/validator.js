@@ -14,7 +14,7 @@ function validator(command) {
   for (const keyword of editors_only) ajv.addKeyword(keyword, { metaSchema: { type: 'string' } });
   const check = ajv.compile(schema);
   return (text) => {
-    const documents = YAML.parseAllDocuments(text);
+    const documents = YAML.parseAllDocuments(text, { logLevel: 'error' });
     if (documents.length !== 1) return `is ${documents.length} documents`;
     const [document] = documents;
     for (const note of [...document.errors, ...document.warnings]) return `no YAML: ${note.code}`;
