@@ -130,8 +130,7 @@ int cli::with_command_line(const std::function<int(CLI::App&, const int&)>& use)
       ->type_name("AUTHOR")
       ->expected(1)
       ->take_all();
-  verb->add_option("--licence", report.licence,
-                   "licence of the results: an SPDX name such as CC-BY-4.0, or an address")
+  verb->add_option("--licence", report.licence, "licence of the results: an SPDX name such as CC-BY-4.0, or an address")
       ->type_name("LICENCE");
   verb->callback([&] { code = cli::report(report); });
 

@@ -216,8 +216,7 @@ void Simulation::forces(bool to_be_viewed) {
 #pragma omp single  // the first to be through; at its end the others are, too
     wall_forces(s, loads_);
 #pragma omp for schedule(static, 1)
-    for (std::size_t t = 0; t < shares; ++t)
-      complete_forces(s, partition_.shares[t], partition_, incidence_, loads_);
+    for (std::size_t t = 0; t < shares; ++t) complete_forces(s, partition_.shares[t], partition_, incidence_, loads_);
   }
   record_breaks();
   settle_led();
