@@ -16,7 +16,14 @@ class LawCheck {
  public:
   LawCheck(const Registry& registry, const PluginChoice& choice, const Host& user)
       : registry_(registry), choice_(choice), user_(user) {
-    law_ = make(choice.config);
+    try {
+      law_ = make(choice.config);
+    } catch (const UserError& of_spheres) {
+      dimension_ = 2;
+      try {
+        law_ = make(choice.config);
+      } catch (const UserError&) { throw of_spheres; }
+    }
     const ContactStiffness k = LawRig(*law_, {}, 1e-9).stiffness();
     const double mass = 1e-5,
                  stiffest = std::max({k.normal, k.shear, (k.bending + k.torsion) / (checked_radius * checked_radius)});
@@ -25,11 +32,13 @@ class LawCheck {
   }
 
   CheckFindings operator()() {
+    if (dimension_ == 2)
+      add("dimensions", true, "with these parameters for discs only: all that follows is in their plane", "");
     for (const bool bonded : {true, false}) {
       if (bonded && !law_->makes_bonds()) continue;
       at_rest(bonded);
       stiffnesses(bonded);
-      for (const Way& way : ways(bonded)) energy(way);
+      for (const Way& way : ways(bonded, dimension_)) energy(way);
       frames(bonded);
     }
     vectors();
@@ -44,6 +53,7 @@ class LawCheck {
     const std::vector<double> r = {checked_radius, 0.8 * checked_radius}, m = {1.1e-5, 5.7e-6};
     const std::vector<Index> i = {0}, j = {1};
     Assembly a;
+    a.dimension = dimension_;
     a.radius = r;
     a.mass = m;
     a.bond_i = i;
@@ -96,7 +106,9 @@ class LawCheck {
                                {"shear", &ContactStiffness::shear, Vec3(0, 0.6, 0.8), Vec3::Zero()},
                                {"bending", &ContactStiffness::bending, Vec3::Zero(), Vec3(0, 0.6, 0.8)},
                                {"torsion", &ContactStiffness::torsion, Vec3::Zero(), Vec3(1, 0, 0)}}) {
-      Way way{d.name, d.shift, -0.5 * d.turn, 0.5 * d.turn, bonded};
+      const auto unit = [](const Vec3& v) { return v.isZero(0) ? v : Vec3(v.normalized()); };
+      const Vec3 turn = unit(about_plane(d.turn, dimension_));
+      Way way{d.name, unit(in_plane(d.shift, dimension_)), -0.5 * turn, 0.5 * turn, bonded};
       // Bending without shear: the contact point of both stays.
       const Vec3 n(1, 0, 0);
       way.shift += (a * way.turn_i + b * way.turn_j).cross(n) / checked_radius;
@@ -109,10 +121,11 @@ class LawCheck {
       const double stated = pair.stiffness().*d.stated;
       const PairResponse before = pair.last();
       const PairResponse after = pair.step(motion(way, tiny, 1, slow));
-      const bool turns = !d.turn.isZero(0);
+      const bool turns = !turn.isZero(0);
       const double slope =
           turns ? 0.5 * ((after.torque_i - before.torque_i) - (after.torque_j - before.torque_j)).norm() / tiny
                 : (after.force - before.force).norm() / (tiny * checked_radius);
+      if (turns && !law_->has_moments()) continue;  // without moments only what is there already turns with the pair
       if (slope <= 1e-6 * scale_ * (turns ? checked_radius * checked_radius : 1) && stated == 0) continue;
       add(fmt::format("stiffness, {}, {}", d.name, bonded_text(bonded)), stated >= 0.95 * slope,
           fmt::format("stated {:.4g}, the force's slope {:.4g} {}", stated, slope, turns ? "N m/rad" : "N/m"),
@@ -182,16 +195,32 @@ class LawCheck {
           "friction_work, contact_work and fracture_energy cannot be negative");
   }
 
+  /// The configuration as it is for a pair that is turned: with what is a direction in space turned, too.
+  Json turned_config(const Mat3& turn) const {
+    Json config = choice_.config;
+    for (const ParamSpec& p : registry_.documentation(ContactLaw::kind, choice_.type).root.members) {
+      const bool direction = p.name.ends_with("normal") || p.name.ends_with("direction");
+      if (!direction || !config.contains(p.name) || !config[p.name].is_array() || config[p.name].size() != 3) continue;
+      const auto along = config[p.name].get<std::array<double, 3>>();
+      const Vec3 there = turn * Vec3(along[0], along[1], along[2]);
+      config[p.name] = {there.x(), there.y(), there.z()};
+    }
+    return config;
+  }
+
   /// Where the pair lies in space, and which end is the first, is nobody's business.
   void frames(bool bonded) {
     double turned = 0, swapped = 0;
-    for (const Way& way : ways(bonded)) {
+    const Vec3 axis = about_plane(Vec3(0.3, -0.5, 0.8), dimension_).normalized();
+    const Mat3 turn = Eigen::AngleAxisd(1.1, axis).toRotationMatrix();
+    const auto there = make(turned_config(turn));
+    for (const Way& way : ways(bonded, dimension_)) {
       LawRig::Start start;
       start.bonded = bonded;
       LawRig::Start rotated = start, exchanged = start;
-      rotated.turned = Eigen::AngleAxisd(1.1, Vec3(0.3, -0.5, 0.8).normalized()).toRotationMatrix();
+      rotated.turned = turn;
       exchanged.swapped = true;
-      LawRig a(*law_, start, dt_), r(*law_, rotated, dt_), s(*law_, exchanged, dt_);
+      LawRig a(*law_, start, dt_), r(*there, rotated, dt_), s(*law_, exchanged, dt_);
       constexpr double amplitude = 0.002;
       double most = 1e-6 * scale_ * amplitude * checked_radius, off_turned = 0, off_swapped = 0;
       constexpr int steps = 400;
@@ -200,7 +229,6 @@ class LawCheck {
         const PairResponse x = a.step(m), y = r.step(m), z = s.step(m);
         if (r.intact() != a.intact() || s.intact() != a.intact()) break;  // rounding may part them by a step
         most = std::max({most, x.force.norm(), (x.torque_i.norm() + x.torque_j.norm()) / checked_radius});
-        const Mat3& turn = rotated.turned;
         off_turned = std::max({off_turned, (y.force - turn * x.force).norm(),
                                (y.torque_i - turn * x.torque_i).norm() / checked_radius,
                                (y.torque_j - turn * x.torque_j).norm() / checked_radius});
@@ -225,10 +253,11 @@ class LawCheck {
     LawRig pair(*law_, {}, dt_, PairChunk::capacity);
     PairChunk& g = pair.chunk();
     for (std::size_t k = 0; k < g.size; ++k) {
-      const Vec3 d = random_direction(random) * g.rest[k] * (1 + 2e-3 * u(random));
+      const Vec3 d = in_plane(random_direction(random), dimension_).normalized() * g.rest[k] * (1 + 2e-3 * u(random));
       g.dx[k] = d.x(), g.dy[k] = d.y(), g.dz[k] = d.z();
       for (double* v : {g.vx, g.vy, g.vz}) v[k] = 0.1 * u(random);
       for (double* w : {g.wix, g.wiy, g.wiz, g.wjx, g.wjy, g.wjz}) w[k] = 50 * u(random);
+      if (dimension_ == 2) g.vz[k] = g.wix[k] = g.wiy[k] = g.wjx[k] = g.wjy[k] = 0;
       g.intact[k] = g.may_break[k] = k % 3 != 0 && law_->makes_bonds() ? 1 : 0;
     }
     const std::size_t columns = law_->columns().size();
@@ -279,7 +308,7 @@ class LawCheck {
       } catch (const UserError&) { continue; }  // it says itself what does not go together
       ++tried;
       for (const bool bonded : {true, false})
-        for (const Way& way : ways(bonded)) {
+        for (const Way& way : ways(bonded, dimension_)) {
           LawRig pair = rig(*law, way, dt_);
           bool finite = std::isfinite(pair.stiffness().normal + pair.stiffness().shear);
           for (int k = 0; k < 60 && finite; ++k)
@@ -346,6 +375,7 @@ class LawCheck {
   PluginChoice choice_;
   const Host& user_;
   std::unique_ptr<GuardedLaw> law_;
+  int dimension_ = 3;          ///< 2: of a law that spheres cannot have
   double dt_ = 0, scale_ = 0;  ///< [s]; a stiffness that counts [N/m]
   CheckFindings found_;
 };

@@ -12,7 +12,11 @@ Vec3 random_direction(std::mt19937_64& random) {
   return Vec3(n(random), n(random), n(random)).normalized();
 }
 
-std::vector<Way> ways(bool bonded) {
+Vec3 in_plane(const Vec3& vector, int dimension) { return dimension == 2 ? Vec3(vector.x(), vector.y(), 0) : vector; }
+
+Vec3 about_plane(const Vec3& axis, int dimension) { return dimension == 2 ? Vec3(0, 0, axis.z()) : axis; }
+
+std::vector<Way> ways(bool bonded, int dimension) {
   std::mt19937_64 random(7);
   std::vector<Way> all;
   if (bonded) all.push_back({"tension", Vec3(1, 0, 0)});
@@ -26,14 +30,19 @@ std::vector<Way> ways(bool bonded) {
     all.push_back({fmt::format("bending about (0, {:.2f}, {:.2f})", across.y(), across.z()), Vec3(pressed, 0, 0),
                    -across, across});
   }
-  all.push_back({"twist", Vec3(pressed, 0, 0), Vec3(-1, 0, 0), Vec3(1, 0, 0)});
+  if (dimension == 3) all.push_back({"twist", Vec3(pressed, 0, 0), Vec3(-1, 0, 0), Vec3(1, 0, 0)});
   for (int k = 0; k < 4; ++k) {
     Vec3 shift = random_direction(random);
     if (!bonded) shift.x() = -std::abs(shift.x());
     all.push_back(
         {fmt::format("motion of all kinds, no. {}", k + 1), shift, random_direction(random), random_direction(random)});
   }
-  for (Way& w : all) w.bonded = bonded;
+  for (Way& w : all) {
+    w.bonded = bonded;
+    w.shift = in_plane(w.shift, dimension);
+    w.turn_i = about_plane(w.turn_i, dimension);
+    w.turn_j = about_plane(w.turn_j, dimension);
+  }
   return all;
 }
 

@@ -20,11 +20,15 @@ struct Way {
 
 constexpr double checked_radius = 1e-3;  ///< of the larger sphere, i [m]
 
-/// In every direction, and in all at once; a pair without a bond is pressed.
-std::vector<Way> ways(bool bonded);
+/// In every direction, and in all at once; a pair without a bond is pressed. In two dimensions what of it lies in the
+/// plane z = 0.
+std::vector<Way> ways(bool bonded, int dimension);
 std::string bonded_text(bool bonded);
 /// The motion that leads the given share of a way in one step of `dt`; `amplitude`: of the way, in its units.
 PairMotion motion(const Way& way, double amplitude, double share, double dt);
 Vec3 random_direction(std::mt19937_64& random);
+/// What is left of a vector, and of an axis of rotation, in two dimensions.
+Vec3 in_plane(const Vec3& vector, int dimension);
+Vec3 about_plane(const Vec3& axis, int dimension);
 
 }  // namespace breccia

@@ -55,7 +55,7 @@ struct MadeSimulation {
     pair_bond.push_back(PairsView::no_bond);
     rest_length.push_back(distance);
     pair_state.push_back(BondState::unbonded);
-    force.push_back({on_i.x(), on_i.y(), on_i.z(), 0, 0, 0, 0.5 * (distance - radius[i] - radius[j]), 0});
+    force.push_back({on_i.x(), on_i.y(), on_i.z(), 0.5 * (distance - radius[i] - radius[j])});
     return pair_i.size() - 1;
   }
   std::size_t add_bond(Index i, Index j, const Vec3& on_i = Vec3::Zero()) {

@@ -93,7 +93,7 @@ void displace(MadeSimulation& s, const Mat3& gradient, const Vec3& shift, double
     double stretch = branch.norm() - s.rest_length[k];
     if (s.pair_state[k] != BondState::intact) stretch = std::min(stretch, 0.0);
     const Vec3 force = spring * stretch * branch.normalized();
-    s.force[k] = {force.x(), force.y(), force.z(), 0, 0, 0, 0.5 * (branch.norm() - s.radius[i] - s.radius[j]), 0};
+    s.force[k] = {force.x(), force.y(), force.z(), 0.5 * (branch.norm() - s.radius[i] - s.radius[j])};
     s.resultant[i] += force;
     s.resultant[j] -= force;
     stored += 0.5 * spring * stretch * stretch;

@@ -22,6 +22,7 @@ std::optional<std::string> quick(const ParamSpec& p) {
   if (p.fallback.is_null() && p.required && p.unit == "m/s") return "1 m/s";
   if (p.fallback.is_null() && p.required && p.unit == "1/s") return "100 1/s";
   if ((p.name == "max_strain" || p.name == "max_displacement") && p.unit == "1") return "0.8 %";
+  if (p.name == "rest" && p.unit == "1") return "1 %";
   return {};
 }
 

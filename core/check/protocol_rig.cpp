@@ -16,7 +16,7 @@ ProtocolRig::ProtocolRig(const Registry& registry, const PackedParticles& packin
     : protocol_(std::move(protocol)) {
   laws_.emplace(registry, laws);
   EngineSettings engine;
-  engine.damping = {0.5, 0.5};
+  engine.damping = {settings.damping, settings.damping};
   engine.threads = settings.threads;
   simulation_ = std::make_unique<Simulation>(assemble(packing, {2650}, settings.dimension, settings.thickness),
                                              laws_->interactions(), engine);

@@ -18,6 +18,7 @@ struct RigSettings {
   double bonding_gap = 1e-6;  ///< relative
   int threads = 1;
   Sampling sampling = {20, 0};
+  double damping = 0.5;  ///< non-viscous, of motion and rotation
 };
 
 class ProtocolRig {

@@ -74,6 +74,8 @@ State assemble(const PackedParticles& packing, const Materials& materials, int d
   Particles& p = s.particles;
   const std::vector<Index> order = morton_order(packing.position);
   const std::size_t n = order.size();
+  p.motion.reserve(n);
+  p.id.reserve(n);
   for (const Index k : order) {
     const double r = packing.radius[k];
     if (dimension == 2 && packing.position[k].z() != 0)
@@ -94,7 +96,6 @@ State assemble(const PackedParticles& packing, const Materials& materials, int d
     p.id.push_back(k);
   }
   p.load.resize(n);
-  p.applied_force.assign(n, Vec3::Zero());
   p.reference_position.assign(p.position().begin(), p.position().end());
   p.held.assign(n, dimension == 2 ? dof::out_of_plane : std::uint8_t(0));
   s.cell = s.reference_cell = Cell::box(packing.period);

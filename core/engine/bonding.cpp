@@ -81,7 +81,7 @@ std::vector<Candidate> nearest_pairs(const State& s, GapMeasure measure, std::si
 
 }  // namespace
 
-BondingResult make_bonds(State& state, const BondingRule& rule) {
+BondingResult choose_bonds(const State& state, const BondingRule& rule, Bonds& bonds) {
   const Particles& p = state.particles;
   BondingResult result{rule.measure};
   std::vector<Candidate> chosen;
@@ -98,8 +98,9 @@ BondingResult make_bonds(State& state, const BondingRule& rule) {
   }
   std::sort(chosen.begin(), chosen.end(),
             [](const Candidate& a, const Candidate& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; });
-  Bonds& b = state.bonds;
-  b = {};
+  Bonds b;
+  for (auto* numbers : {&b.i, &b.j}) numbers->reserve(chosen.size());
+  b.initial_distance.reserve(chosen.size());
   for (const Candidate& c : chosen) {
     if (c.distance <= 0) throw UserError("two particles of the packing have the same centre: they cannot be bonded");
     b.i.push_back(c.i);
@@ -110,6 +111,7 @@ BondingResult make_bonds(State& state, const BondingRule& rule) {
   b.pair.assign(n, BondsView::no_pair);
   b.state.assign(n, BondState::intact);
   b.crack_of.assign(n, BondsView::no_crack);
+  bonds = std::move(b);
   result.coordination_number = 2.0 * double(n) / double(p.size());
   return result;
 }

@@ -27,7 +27,7 @@ struct BondingResult {
   double coordination_number = 0;  ///< 2 bonds / particles
 };
 
-/// Makes the bonds. UserError when the coordination number cannot be reached.
-BondingResult make_bonds(State& state, const BondingRule& rule);
+/// The pairs that the rule chooses, as intact bonds. UserError when the coordination number cannot be reached.
+BondingResult choose_bonds(const State& state, const BondingRule& rule, Bonds& bonds);
 
 }  // namespace breccia

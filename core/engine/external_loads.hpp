@@ -9,56 +9,79 @@
 
 namespace breccia {
 
-/// A row for each particle. Most are far from walls and applied forces: a group of rows that are all zero is marked so,
-/// and neither read nor added.
+/// Most particles are far from walls and applied forces: only groups of rows that may have a load have any memory.
 class ExternalLoads {
  public:
   static constexpr std::size_t group = 32;
+  struct Load {
+    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();  // [N], [N m]
+  };
 
   /// What is applied alone, and room for those of the walls that are near.
   void reset(const State& s) {
-    force_ = s.particles.applied_force;
-    torque_ = s.particles.applied_torque;
-    torque_.resize(force_.size(), Vec3::Zero());
-    any_.assign((force_.size() + group - 1) / group, 0);
-    for (std::size_t a = 0; a < force_.size(); ++a)
-      if (!force_[a].isZero(0) || !torque_[a].isZero(0)) any_[a / group] = 1;
-    for (const WallTouch& t : s.wall_touches) any_[t.particle / group] = 1;
+    const Particles& p = s.particles;
+    rows_.clear();
+    begin_.assign((p.size() + group - 1) / group, none);
+    for (std::size_t a = 0; a < p.size(); ++a) {
+      const Load applied = of(p, a);
+      if (!applied.force.isZero(0) || !applied.torque.isZero(0)) row(a) = applied;
+    }
+    for (const WallTouch& t : s.wall_touches) row(t.particle);
   }
-  /// The protocol's force on a particle was changed by so much [N].
-  void change(Index particle, const Vec3& force) {
-    force_[particle] += force;
-    any_[particle / group] = 1;
-  }
-  /// The same of its torque [N m].
-  void turn(Index particle, const Vec3& torque) {
-    torque_[particle] += torque;
-    any_[particle / group] = 1;
+  /// Of a wall that is near; or by how much what the protocol applies was changed [N], [N m].
+  void add(Index particle, const Vec3& force, const Vec3& torque) {
+    Load& load = row(particle);
+    load.force += force;
+    load.torque += torque;
   }
   /// Before the walls' forces of a step, for each particle that is near one.
-  void restart(Index particle, const Particles& p) {
-    force_[particle] = p.applied_force[particle];
-    torque_[particle] = p.applied_torque.empty() ? Vec3(Vec3::Zero()) : p.applied_torque[particle];
+  void restart(Index particle, const Particles& p) { row(particle) = of(p, particle); }
+  /// Of the particles of the group that `particle` is in, from its first on; null when there are none.
+  const Load* of_group(Index particle) const {
+    const Index begin = begin_[particle / group];
+    return begin == none ? nullptr : &rows_[begin];
   }
-  /// Of a wall that is near, since `reset`.
-  void add(Index particle, const Vec3& force, const Vec3& torque) {
-    force_[particle] += force;
-    torque_[particle] += torque;
-  }
-  bool any(Index particle) const { return any_[particle / group]; }       ///< in the particle's group
-  const Vec3& force(Index particle) const { return force_[particle]; }    // [N]
-  const Vec3& torque(Index particle) const { return torque_[particle]; }  // [N m]
 
   /// As they stand: the protocol's changes have left their rounding in them.
   void archive(Archive& archive, const std::vector<Index>& id) {
-    archive_by_id(archive, "force", Strided<Vec3>(force_), id);
-    archive_by_id(archive, "torque", Strided<Vec3>(torque_), id);
-    archive("groups", any_);
+    std::vector<Vec3> force(id.size(), Vec3::Zero()), torque = force;
+    std::vector<std::uint8_t> groups(begin_.size());
+    if (!archive.reading())
+      for (std::size_t a = 0; a < id.size(); ++a)
+        if (const Load* const load = of_group(Index(a))) {
+          groups[a / group] = 1;
+          force[a] = load[a % group].force;
+          torque[a] = load[a % group].torque;
+        }
+    archive_by_id(archive, "force", Strided<Vec3>(force), id);
+    archive_by_id(archive, "torque", Strided<Vec3>(torque), id);
+    archive("groups", groups);
+    if (!archive.reading()) return;
+    rows_.clear();
+    begin_.assign(groups.size(), none);
+    for (std::size_t a = 0; a < id.size(); ++a)
+      if (groups.at(a / group)) row(a) = {force[a], torque[a]};
   }
 
  private:
-  std::vector<Vec3> force_, torque_;
-  std::vector<std::uint8_t> any_;
+  static constexpr Index none = 0xffffffffu;
+  static Load of(const Particles& p, std::size_t particle) {
+    Load load;
+    if (!p.applied_force.empty()) load.force = p.applied_force[particle];
+    if (!p.applied_torque.empty()) load.torque = p.applied_torque[particle];
+    return load;
+  }
+  Load& row(std::size_t particle) {
+    Index& begin = begin_[particle / group];
+    if (begin == none) {
+      begin = Index(rows_.size());
+      rows_.resize(rows_.size() + group);
+    }
+    return rows_[begin + particle % group];
+  }
+
+  std::vector<Index> begin_;  ///< of each group of particles, its rows; or none
+  std::vector<Load> rows_;
 };
 
 }  // namespace breccia

@@ -173,10 +173,19 @@ BRECCIA_KERNEL double lane_sum(const double* v, std::size_t n) {
 BRECCIA_VECTOR_CLONES void scatter_chunk(const PairBatch& b, std::size_t at, std::size_t first, bool moments,
                                          const PairChunk& g, const PairAnswer& e) {
   const std::size_t n = g.size;
-  const bool some_apart = b.chunk_apart && b.chunk_apart[at];
-  if (b.keep_force || some_apart) {
+  const bool some_apart = b.chunk_cut && b.chunk_cut[at] != PairBatch::whole;
+  if (some_apart) {
+    CutForce* const cut = b.cut + b.chunk_cut[at];
     for (std::size_t k = 0; k < n; ++k)
-      b.force[first + k] = {e.fx[k], e.fy[k], e.fz[k], e.tx[k], e.ty[k], e.tz[k], e.half_gap[k], 0.0};
+      cut[k] = {e.fx[k], e.fy[k], e.fz[k], e.tx[k], e.ty[k], e.tz[k], e.half_gap[k], 0, 0, 0};
+    for (std::size_t k = 0; moments && k < n; ++k) {
+      cut[k].mx = e.mx[k];
+      cut[k].my = e.my[k];
+      cut[k].mz = e.mz[k];
+    }
+  }
+  if (b.keep_force) {
+    for (std::size_t k = 0; k < n; ++k) b.force[first + k] = {e.fx[k], e.fy[k], e.fz[k], e.half_gap[k]};
     if (moments)
       for (std::size_t k = 0; k < n; ++k) b.moment[first + k] = Vec3(e.mx[k], e.my[k], e.mz[k]);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a protocol may change and ask of a simulation.
 #include <numeric>
+#include <utility>
 
 #include "breccia/protocol_tools/equilibrium.hpp"
 #include "engine/cell_motion.hpp"
@@ -19,8 +20,9 @@ double Simulation::unbalanced_force_ratio() {
 }
 
 BondStiffness Simulation::bond_stiffness() {
-  const Bonds& b = state_.bonds;
+  const Bonds& b = laws_.makes_bonds() ? state_.bonds : contacts_;
   std::vector<BondState> bond_state = b.state;
+  if (!laws_.makes_bonds()) bond_state.assign(b.size(), BondState::unbonded);
   std::vector<double*> columns;
   PairBatch batch = whole_batch(state_, columns);
   batch.begin = 0;
@@ -161,15 +163,14 @@ void Simulation::release(Index a, std::uint8_t mask) {
 
 void Simulation::set_applied_force(Index a, const Vec3& force, const Vec3& torque, const Mat3& moment) {
   Particles& p = state_.particles;
-  if (!torque.isZero(0) || !p.applied_torque.empty()) {
-    p.applied_torque.resize(p.size(), Vec3::Zero());
-    loads_.turn(a, torque - p.applied_torque[a]);
-    p.applied_torque[a] = torque;
-  }
-  loads_.change(a, force - p.applied_force[a]);
-  p.applied_force[a] = force;
-  p.applied_moment.resize(p.size(), Mat3::Zero());
-  p.applied_moment[a] = moment;
+  /// Returns what it was before.
+  const auto set = [&]<class T>(std::vector<T>& of, const T& value) -> T {
+    if (of.empty() && value.isZero(0)) return value;
+    of.resize(p.size(), T::Zero());
+    return std::exchange(of[a], value);
+  };
+  loads_.add(a, force - set(p.applied_force, force), torque - set(p.applied_torque, torque));
+  set(p.applied_moment, moment);
   any_applied_ = true;
 }
 

@@ -8,6 +8,14 @@
 
 namespace breccia {
 
+/// What a pair adds to its particles, for those that are summed apart.
+struct CutForce {
+  double fx, fy, fz;  ///< force on i; minus this on j [N]
+  double tx, ty, tz;  ///< n x shear force: the torque on i, and on j, per unit of their lever arms [N]
+  double half_gap;    ///< (distance - r_i - r_j)/2 [m]
+  double mx, my, mz;  ///< moment on i; minus this on j [N m]
+};
+
 /// Pairs [begin, end) of the state's arrays.
 struct PairBatch {
   static constexpr std::size_t chunk = PairChunk::capacity;
@@ -26,11 +34,15 @@ struct PairBatch {
   const Index* id = nullptr;  ///< of the particles, in the packing
   PairForce* force = nullptr;
   Vec3* moment = nullptr;
-  bool keep_force = true;  ///< write `force` and `moment` of all chunks, not only of those set apart
+  bool keep_force = true;  ///< write `force` and `moment`
   /// Sums per particle, added to in the order of the pairs; none if null. Particles in `apart` are left out: they have
-  /// pairs in other batches. `chunk_apart` marks the chunks with pairs of such particles.
+  /// pairs in other batches. `chunk_cut` says where in `cut` those of a chunk with pairs of such particles go, or
+  /// `whole`.
   ParticleLoad* sum = nullptr;
-  const std::uint8_t *apart = nullptr, *chunk_apart = nullptr;
+  static constexpr Index whole = 0xffffffffu;
+  const std::uint8_t* apart = nullptr;
+  const Index* chunk_cut = nullptr;
+  CutForce* cut = nullptr;
   Dissipated* dissipated = nullptr;     ///< added to: one per chunk and law, those of a chunk side by side
   std::uint8_t* chunk_broke = nullptr;  ///< one per chunk, set when a bond in it broke
   double time_step = 0;

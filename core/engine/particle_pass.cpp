@@ -116,7 +116,8 @@ BRECCIA_VECTOR_CLONES void advance_positions(ParticleMotion* m, std::size_t n, d
 /// What applied forces and torques do in half a step at the present velocities [J].
 double half_applied_work(const Particles& p, std::size_t first, std::size_t end, double dt) {
   double sum = 0;
-  for (std::size_t a = first; a < end; ++a) sum += p.applied_force[a].dot(p.velocity()[a]);
+  if (!p.applied_force.empty())
+    for (std::size_t a = first; a < end; ++a) sum += p.applied_force[a].dot(p.velocity()[a]);
   if (!p.applied_torque.empty())
     for (std::size_t a = first; a < end; ++a) sum += p.applied_torque[a].dot(p.angular_velocity()[a]);
   return 0.5 * dt * sum;
@@ -143,24 +144,27 @@ void clear_forces(State& s, const Share& share) {
             ParticleLoad{});
 }
 
-void complete_forces(State& s, const Share& share, const Incidence& in, const ExternalLoads& loads) {
+void complete_forces(State& s, const Share& share, const CutForce* cut, const Incidence& in,
+                     const ExternalLoads& loads) {
   Particles& p = s.particles;
-  const Vec3* moment = s.pairs.moment.empty() ? nullptr : s.pairs.moment.data();
+  const bool moments = !s.pairs.moment.empty();
+  std::size_t row = 0;
   for (const Index a : share.apart)
     for (std::size_t e = in.start[a]; e < in.start[a + 1]; ++e) {
-      const PairForce& q = s.pairs.force[in.entry[e] >> 1];
+      const CutForce& q = cut[share.cut[row++]];
       const double sign = in.entry[e] & 1 ? -1.0 : 1.0, arm = p.radius()[a] + q.half_gap;
       Vec3 torque(arm * q.tx, arm * q.ty, arm * q.tz);
-      if (moment) torque += sign * moment[in.entry[e] >> 1];
+      if (moments) torque += sign * Vec3(q.mx, q.my, q.mz);
       p.force()[a] += sign * Vec3(q.fx, q.fy, q.fz);
       p.torque()[a] += torque;
     }
   for (Index first = share.first_particle, end; first < share.end_particle; first = end) {
     end = std::min(share.end_particle, Index((first / ExternalLoads::group + 1) * ExternalLoads::group));
-    if (!loads.any(first)) continue;
+    const ExternalLoads::Load* const load = loads.of_group(first);
+    if (!load) continue;
     for (Index a = first; a < end; ++a) {
-      p.force()[a] += loads.force(a);
-      p.torque()[a] += loads.torque(a);
+      p.force()[a] += load[a % ExternalLoads::group].force;
+      p.torque()[a] += load[a % ExternalLoads::group].torque;
     }
   }
 }

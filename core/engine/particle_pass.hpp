@@ -25,7 +25,8 @@ struct PassSums {
 void clear_forces(State& state, const Share& share);
 
 /// After all pairs are: sums those particles of the share that are apart, and adds walls' and applied loads to all.
-void complete_forces(State& state, const Share& share, const Incidence& incidence, const ExternalLoads& loads);
+void complete_forces(State& state, const Share& share, const CutForce* cut, const Incidence& incidence,
+                     const ExternalLoads& loads);
 
 /// Leapfrog: velocities by one step with the resultants in `force` and `torque` and damping, then positions.
 /// Held components keep their velocity; the work that this takes counts as boundary work. Particles whose velocity is

@@ -11,7 +11,7 @@ Partition make_partition(const State& s, const Incidence& in, const Chunks& chun
   Partition p;
   p.shares.resize(n);
   p.apart.assign(particles, 0);
-  p.chunk_apart.assign(chunks.size(), 0);
+  p.chunk_cut.assign(chunks.size(), PairBatch::whole);
   for (std::size_t t = 0; t < n; ++t) {
     p.shares[t].first_chunk = chunks.size() * t / n;
     p.shares[t].first_pair = chunks.start[p.shares[t].first_chunk];
@@ -23,6 +23,7 @@ Partition make_partition(const State& s, const Incidence& in, const Chunks& chun
   }
   p.shares.back().end_particle = particles;
   if (n == 1) return p;
+  std::size_t size = 0;
   for (Share& share : p.shares)
     for (Index a = share.first_particle; a < share.end_particle; ++a) {
       const std::size_t begin = in.start[a], end = in.start[a + 1];
@@ -33,9 +34,15 @@ Partition make_partition(const State& s, const Incidence& in, const Chunks& chun
       for (std::size_t e = begin; e < end; ++e) {
         const std::size_t pair = in.entry[e] >> 1;
         const auto next = std::upper_bound(chunks.start.begin(), chunks.start.end(), pair);
-        p.chunk_apart[std::size_t(next - chunks.start.begin()) - 1] = 1;
+        const std::size_t chunk = std::size_t(next - chunks.start.begin()) - 1, first = chunks.start[chunk];
+        if (p.chunk_cut[chunk] == PairBatch::whole) {
+          p.chunk_cut[chunk] = Index(size);
+          size += chunks.start[chunk + 1] - first;
+        }
+        share.cut.push_back(p.chunk_cut[chunk] + Index(pair - first));
       }
     }
+  p.cut.resize(size);
   return p;
 }
 

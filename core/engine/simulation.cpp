@@ -32,7 +32,9 @@ Simulation::Simulation(State state, Interactions laws, const EngineSettings& set
 }
 
 BondingResult Simulation::bond(const BondingRule& rule, const std::optional<SpecimenToTell>& told) {
-  const BondingResult result = laws_.makes_bonds() ? make_bonds(state_, rule) : BondingResult{};
+  // Laws that make no bonds: what would be bonded are the contacts by whose stiffness a test is led.
+  const BondingResult chosen = choose_bonds(state_, rule, laws_.makes_bonds() ? state_.bonds : contacts_),
+                      result = laws_.makes_bonds() ? chosen : BondingResult{};
   Assembly a;
   a.dimension = state_.dimension;
   a.thickness = state_.thickness;
@@ -191,7 +193,8 @@ void Simulation::forces(bool to_be_viewed) {
   if (!guarded_pairs_.empty()) all.guarded = guarded_pairs_.data();
   all.sum = s.particles.load.data();
   all.apart = partition_.apart.data();
-  all.chunk_apart = partition_.chunk_apart.data();
+  all.chunk_cut = partition_.chunk_cut.data();
+  all.cut = partition_.cut.data();
   all.keep_force = pair_forces_known_ = to_be_viewed;
   if (s.cell.repeats()) all.cell_forces = chunk_cell_forces_.data();
   const std::size_t shares = partition_.shares.size();
@@ -210,7 +213,8 @@ void Simulation::forces(bool to_be_viewed) {
 #pragma omp single  // the first to be through; at its end the others are, too
     wall_forces(s, loads_);
 #pragma omp for schedule(static, 1)
-    for (std::size_t t = 0; t < shares; ++t) complete_forces(s, partition_.shares[t], incidence_, loads_);
+    for (std::size_t t = 0; t < shares; ++t)
+      complete_forces(s, partition_.shares[t], partition_.cut.data(), incidence_, loads_);
   }
   record_breaks();
   settle_led();

@@ -117,6 +117,7 @@ class Simulation final : public LoadControl {
   Interactions laws_;
   EngineSettings settings_;
   double skin_ = 0, reach_ = 0, critical_ = 0, bound_ = 0;
+  Bonds contacts_;          ///< at the start, where no law makes bonds: for `bond_stiffness`
   double pair_length_ = 0;  ///< how far apart the centres of two neighbours are at the most [m]
   SpectralStep spectral_;
   AddedMass added_mass_;

@@ -149,7 +149,7 @@ void Simulation::take_specimen(Archive& from) {
   added_mass_ = {};
   p.held = held;
   p.holding_arm.clear();
-  p.applied_force.assign(p.size(), Vec3::Zero());
+  p.applied_force.clear();
   p.applied_torque.clear();
   p.applied_moment.clear();
   s.walls.clear();

@@ -36,8 +36,8 @@ struct Particles {
   std::vector<ParticleMotion> motion;
   std::vector<ParticleLoad> load;
   std::vector<Vec3> reference_position;  ///< at the start of loading [m]
-  std::vector<Vec3> applied_force;       ///< by the protocol [N]
-  std::vector<Vec3> applied_torque;      ///< by the protocol [N m]; empty until there is one
+  std::vector<Vec3> applied_force;       ///< by the protocol [N]; empty until there is one
+  std::vector<Vec3> applied_torque;      ///< the same [N m]
   std::vector<Mat3> applied_moment;      ///< (point - centre) (x) force [N m]; empty until there is one
   std::vector<Vec3> holding_arm;       ///< from the centre to where a holding force acts [m]; empty until there is one
   std::vector<std::uint8_t> held;      ///< bits of `dof`

@@ -62,8 +62,8 @@ PluginStack with_means(PluginStack laws) {
 
 ContactLaws::ContactLaws(const Registry& registry, const PluginStack& choices, const std::vector<Material>& materials,
                          std::uint64_t seed) {
-  const auto make = [&](const PluginChoice& c) {
-    return laws_.emplace_back(std::make_unique<GuardedLaw>(registry.create<ContactLaw>(c), c.type)).get();
+  const auto make = [&](const PluginChoice& c, const std::string& section) {
+    return laws_.emplace_back(std::make_unique<GuardedLaw>(registry.create<ContactLaw>(c), c.type, section)).get();
   };
   const std::size_t n = materials.size();
   const auto number = [&](const Json& name) {
@@ -76,7 +76,7 @@ ContactLaws::ContactLaws(const Registry& registry, const PluginStack& choices, c
     const std::string section = choices.plugins.size() == 1 ? "contact_law" : "contact_law[" + std::to_string(l) + "]";
     PluginChoice whole = choice;
     whole.config.erase("between");
-    NamedLaw named{make(whole), result_label(choice)};
+    NamedLaw named{make(whole, section), result_label(choice)};
     named.seed = seed;
     std::vector<Json> config_of_kind(1, whole.config);
     std::vector<std::string> section_of_kind(1, section);
@@ -89,9 +89,10 @@ ContactLaws::ContactLaws(const Registry& registry, const PluginStack& choices, c
         Json own = item;
         own.erase("materials");
         const std::uint32_t a = number(item["materials"][0]), b = number(item["materials"][1]);
-        named.of_kind[kind_of_pair(a, b, n)] = make({choice.type, own});
-        config_of_kind[kind_of_pair(a, b, n)] = own;
-        section_of_kind[kind_of_pair(a, b, n)] = section + ".between[" + std::to_string(k) + "]";
+        const std::size_t kind = kind_of_pair(a, b, n);
+        section_of_kind[kind] = section + ".between[" + std::to_string(k) + "]";
+        named.of_kind[kind] = make({choice.type, own}, section_of_kind[kind]);
+        config_of_kind[kind] = own;
       }
     }
     for (const ParamSpec& parameter : registry.documentation(ContactLaw::kind, choice.type).root.members) {

@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "breccia/contact_law.hpp"
+#include "config/places.hpp"
 #include "plugin/guarded.hpp"
 
 namespace breccia {
@@ -19,7 +20,9 @@ class GuardedLaw final : public ContactLaw {
   }
 
  public:
-  GuardedLaw(std::unique_ptr<ContactLaw> law, std::string type) : law_(std::move(law)), type_(std::move(type)) {}
+  /// `section`: where the workflow speaks of it, for what the law refuses of a specimen; empty where nobody wrote it.
+  GuardedLaw(std::unique_ptr<ContactLaw> law, std::string type, std::string section = {})
+      : law_(std::move(law)), type_(std::move(type)), section_(std::move(section)) {}
 
   std::vector<ColumnDoc> columns() const override {
     return call("naming its history", [&] { return law_->columns(); });
@@ -37,12 +40,12 @@ class GuardedLaw final : public ContactLaw {
     return call("describing itself", [&] { return law_->respects_protection(); });
   }
   void prepare(const Assembly& assembly) override {
-    call("deriving its constants", [&] { law_->prepare(assembly); });
+    set_up("deriving its constants", [&] { law_->prepare(assembly); });
   }
   void take_kinds(std::span<ContactLaw* const> of_kind) override {
     std::vector<ContactLaw*> bare;
     for (ContactLaw* law : of_kind) bare.push_back(static_cast<GuardedLaw*>(law)->law_.get());
-    call("taking the laws of its materials", [&] { law_->take_kinds(bare); });
+    set_up("taking the laws of its materials", [&] { law_->take_kinds(bare); });
   }
   void scatter(const std::vector<std::string>& parameters) override {
     call("taking what scatters", [&] { law_->scatter(parameters); });
@@ -74,6 +77,15 @@ class GuardedLaw final : public ContactLaw {
 
  private:
   template <class F>
+  void set_up(std::string_view doing, F&& f) {
+    try {
+      call(doing, std::forward<F>(f));
+    } catch (const PluginFault& e) {
+      if (section_.empty()) throw;
+      throw AtPath(section_, e.what());
+    }
+  }
+  template <class F>
   void keep(std::string_view doing, F&& f) noexcept {
     try {
       call(doing, std::forward<F>(f));
@@ -84,7 +96,7 @@ class GuardedLaw final : public ContactLaw {
     }
   }
   std::unique_ptr<ContactLaw> law_;
-  std::string type_;
+  std::string type_, section_;
   std::mutex mutex_;
   std::exception_ptr fault_;
   bool failed_ = false;

@@ -152,7 +152,10 @@ void Workflow::describe(Schema<Workflow>& s) {
       .doc("several, by names; `material_of` says which particle is of which");
   s.param("material_of", &Workflow::material_of).doc("which particle is made of which of the `materials`");
   s.exactly_one_of({"material", "materials"});
-  s.param("bonding", &Workflow::bonding).doc("which neighbours are glued together before loading");
+  s.param("bonding", &Workflow::bonding)
+      .doc(
+          "which neighbours are glued together before loading; where no contact law makes bonds, which are contacts by "
+          "whose stiffness a test is led");
   s.param("contact_law", &Workflow::contact_law)
       .kind("contact_law")
       .doc("the force between two particles; of a list of laws the forces add up, and one of them may make bonds");

@@ -125,6 +125,12 @@ TEST_F(Checks, WhatIsFoundWhileATestIsSetUpHasItsPlace) {
   };
   const std::string brazilian = " --set 'protocol={type: brazilian, platen_velocity: 0.1 m/s}'";
   refused("run w.yaml --output out" + brazilian, "--set:1:10: protocol brazilian: the specimen must be a cylinder");
+  const std::string laws =
+      " --set 'contact_law=[{type: linear, contact_modulus: 1 GPa, stiffness_ratio: 2, friction: 0.5}, {type: "
+      "flat_joint, elements: line_4, bond_modulus: 1 GPa, stiffness_ratio: 2, tensile_strength: 1 MPa, "
+      "cohesion: 1 MPa, friction: 0.5}]'";
+  refused("run w.yaml --output out" + laws,
+          "--set:1:89: contact_law flat_joint: `elements: line_...` is how faces of discs");
   fs::remove(folder_ / "p.csv");
   refused("validate w.yaml", "w.yaml:1:34: packing from_file: cannot read ");
 }

@@ -91,8 +91,8 @@ TEST_F(CommandLine, BashCompletesVerbsAndTheirOptions) {
 TEST_F(CommandLine, BashCompletesPluginsAndChoices) {
   EXPECT_EQ(completed({"describe", "contact_law/elastic_b"}), Words{"contact_law/elastic_brittle"});
   EXPECT_EQ(completed({"describe", "workf"}), Words{"workflow"});
-  EXPECT_EQ(completed({"check", "contact_law/dash"}), Words{"contact_law/dashpot"});
-  EXPECT_EQ(completed({"check", "--set", "friction=1", "contact_law/dash"}), Words{"contact_law/dashpot"});
+  EXPECT_EQ(completed({"check", "contact_law/visc"}), Words{"contact_law/viscous"});
+  EXPECT_EQ(completed({"check", "--set", "friction=1", "contact_law/visc"}), Words{"contact_law/viscous"});
   EXPECT_EQ(completed({"list", "po"}), Words{"postprocessor"});
   EXPECT_EQ(completed({"drive", "elastic_b"}), Words{"elastic_brittle"});
   EXPECT_EQ(completed({"describe", "damage", "--format", ""}), (Words{"text", "markdown", "json"}));
@@ -108,7 +108,7 @@ TEST_F(CommandLine, BashCompletesFilesByTheirEndings) {
   EXPECT_EQ(completed({"run", "--resume", "my"}), Words{"my_results"});
   EXPECT_EQ(completed({"run", "--output", "=", "my"}), Words{"my_results"});
   EXPECT_EQ(completed({"run", "x.yaml", "--from", "my"}), (Words{"my.h5", "my_results"}));
-  EXPECT_EQ(completed({"drive", "dashpot", "--path", "my"}), (Words{"my.csv", "my_results"}));
+  EXPECT_EQ(completed({"drive", "viscous", "--path", "my"}), (Words{"my.csv", "my_results"}));
   EXPECT_EQ(completed({"run", "x.yaml", "--threads", ""}), Words{}) << "a number is nothing to offer files for";
 }
 
@@ -136,7 +136,7 @@ TEST_F(CommandLine, FishCompletes) {
   for (const char* name : {"my_own.yaml", "my.csv", "my.txt"}) write(name, "");
   fs::create_directory(folder_ / "my_results");
   EXPECT_EQ(offered("breccia run my"), (Words{"my_own.yaml", "my_results/"}));
-  EXPECT_EQ(offered("breccia drive dashpot --path my"), (Words{"my.csv", "my_results/"}));
+  EXPECT_EQ(offered("breccia drive viscous --path my"), (Words{"my.csv", "my_results/"}));
 }
 
 TEST(Citation, NamesTheVersion) {

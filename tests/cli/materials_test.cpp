@@ -88,7 +88,7 @@ contact_law:
   friction: {mean: 0.5, distribution: normal, standard_deviation: 0.1}
   between:
     - {materials: [quartz], tensile_strenght: 20 MPa}
-    - {materials: [quartz, feldspar], type: dashpot, bond_modulus: -1 GPa}
+    - {materials: [quartz, feldspar], type: viscous, bond_modulus: -1 GPa}
 )");
   const Result r = call("validate w.yaml");
   EXPECT_EQ(r.code, 2) << r.text;

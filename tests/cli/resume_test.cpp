@@ -55,8 +55,10 @@ constexpr const char* strong = R"(contact_law: {type: elastic_brittle, bond_modu
 constexpr const char* additions = R"(contact_law:
   - {type: elastic_brittle, bond_modulus: 10 GPa, stiffness_ratio: 3.7, tensile_strength: 4 MPa, shear_strength: 4 MPa,
      friction: 0.5}
-  - {type: dashpot, normal_ratio: 0.1, stiffness_modulus: 10 GPa}
-  - {type: rolling_resistance, rolling_friction: 0.1, rolling_modulus: 10 GPa}
+  - {type: linear, contact_modulus: 2 GPa, stiffness_ratio: 2.5, friction: 0.3}
+  - {type: hertz_mindlin, youngs_modulus: 5 GPa, poisson_ratio: 0.2, friction: 0.3, restitution: 0.7}
+  - {type: viscous, normal_ratio: 0.1, stiffness_modulus: 10 GPa}
+  - {type: rolling_resistance, rolling_friction: 0.1, rolling_modulus: 10 GPa, rolling_damping: 0.1}
 )";
 constexpr const char* damage_law =
     R"(contact_law: {type: elasto_damage_plastic, area_factor: 1, youngs_modulus: 28 GPa, poisson_ratio: 0.2,
@@ -69,6 +71,27 @@ constexpr const char* moments =
   bending_ratio: 0.256, tensile_strain_limit: 0.02, tension_shape: 0.2, shear_strain_ratio: 3.5, shear_strain_cap_ratio: 10,
   internal_friction_angle: 45 deg, friction_angle: 39 deg, bond_width: 0.8}
 )";
+constexpr const char* cement = R"(contact_law: {type: linear_parallel_bond, bond_modulus: 20 GPa, stiffness_ratio: 2.5,
+  tensile_strength: {mean: 8 MPa, distribution: normal, standard_deviation: 2 MPa, min: 1 MPa}, cohesion: 12 MPa}
+)";
+constexpr const char* beams = R"(contact_law: {type: beam_bond, bond_modulus: 20 GPa, poisson_ratio: 0.2,
+  tensile_strength: 8 MPa, compressive_strength: 60 MPa, shear_strength: 20 MPa}
+)";
+constexpr const char* joints =
+    R"(contact_law: {type: flat_joint, bond_modulus: 10 GPa, stiffness_ratio: 2.5, tensile_strength: 4 MPa, cohesion: 6 MPa,
+  friction: 0.5, bonded_share: 80 %, gapped_share: 10 %, gap: 2 um}
+)";
+constexpr const char* softening =
+    R"(contact_law: {type: soft_bond, bond_modulus: 10 GPa, stiffness_ratio: 2.5,
+  tensile_strength: {mean: 2 MPa, distribution: weibull, modulus: 6}, fracture_energy: 2 J/m2, cohesion: 4 MPa,
+  internal_friction_angle: 30 deg, friction: 0.5}
+)";
+constexpr const char* jointed =
+    R"(material_of: {regions: [{material: upper, half_space: {point: [4 mm, 4 mm, 8 mm], normal: [1, 0, 1.5]}}], elsewhere: lower}
+contact_law: {type: jcfpm, bond_modulus: 10 GPa, stiffness_ratio: 4, tensile_strength: 4 MPa, cohesion: 8 MPa,
+  internal_friction_angle: 30 deg, friction: 0.5, between: [{materials: [upper, lower], smooth_joint: true,
+  joint_normal: [1, 0, 1.5], tensile_strength: 0 MPa, cohesion: 0 MPa, dilation_angle: 5 deg}]}
+)";
 constexpr const char* outside = R"(
 outputs: [{type: vtk, interval: 15 us}]
 checkpoints: {every_steps: 40, keep: 100, at_end: true}
@@ -78,6 +101,10 @@ constexpr const char* all_posts =
     "postprocessors: [{type: stress}, {type: bagi_strain}, {type: elastic_constants}, "
     "{type: damage}, {type: bond_statistics}, {type: fabric}, {type: energy}, "
     "{type: gauges}, {type: statistics}, {type: contact_stress}]\n";
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  return text.replace(text.find(what), what.size(), by);
+}
 
 /// One of the cases has them: they are made from the other files.
 const std::string pictures =
@@ -105,6 +132,17 @@ std::vector<Case> cases() {
       {"law_with_damage", std::string(spheres) + damage_law +
                               "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, max_strain: 0.3 %}\n" +
                               pictures + end},
+      {"law_of_elements", std::string(spheres) + joints +
+                              "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, max_strain: 0.8 %}\n" +
+                              end},
+      {"law_that_softens", std::string(spheres) + softening +
+                               "protocol: {type: direct_tension, plate_velocity: 0.3 m/s, ramp_time: 5 us, grip: 2 mm, "
+                               "max_strain: 0.2 %, stop_stress_ratio: 0}\n" +
+                               no_strain},
+      {"smooth_joint", replaced(spheres, "material: {density: 2650 kg/m3}",
+                                "materials: {upper: {density: 2650 kg/m3}, lower: {density: 2650 kg/m3}}") +
+                           jointed +
+                           "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, max_strain: 0.6 %}\n" + end},
       {"triaxial_compression", std::string(spheres) + strong +
                                    "protocol: {type: triaxial_compression, platen_velocity: 1 m/s, stages: "
                                    "[{confining_pressure: 0.5 MPa}, {axial_strain: 0.2 %}, {hold_time: 5 us}, "
@@ -125,6 +163,18 @@ std::vector<Case> cases() {
                              "protocol: {type: direct_tension, plate_velocity: 0.5 m/s, ramp_time: 5 us, grip: 2 mm, "
                              "max_strain: 0.2 %}\n" +
                              no_strain},
+      {"end_load",
+       std::string(spheres) + cement +
+           "protocol: {type: end_load, supports: [{at: lower, depth: 2 mm, holds: [all]}], loads: [{at: upper, "
+           "depth: 2 mm, force: [60 N, 0 N, 0 N], moment: [0 N m, 0 N m, 0.05 N m]}], ramp_time: 60 us, "
+           "duration: 20 us}\n" +
+           no_strain},
+      {"beams_that_swing",
+       std::string(spheres) + beams +
+           "protocol: {type: end_load, supports: [{at: lower, depth: 2 mm, holds: [all]}], loads: "
+           "[{at: upper, depth: 2 mm, force: [60 N, 0 N, 0 N]}], ramp_time: 20 us, release_after: 5 "
+           "us, duration: 40 us}\n" +
+           no_strain},
       {"periodic_cell",
        std::string("periodic: [x, y, z]\npacking: {type: regular, lattice: fcc, container: {shape: box, "
                    "size: [10 mm, 10 mm, 12 mm]}, radius: 1 mm}\nmaterial: {density: 2650 kg/m3}\n"

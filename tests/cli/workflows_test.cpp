@@ -104,10 +104,57 @@ TEST_F(SmallOuyang, RocksAndOtherTests) {
   EXPECT_GT(brazilian["brazilian"]["peak_tensile_stress_Pa"].get<double>(), 1e6);
 }
 
+/// The variant `inferred` has both parts in both tests, bonds that are softer than those of two of the largest discs,
+/// and suits the biaxial test.
+TEST_F(SmallOuyang, TheInferredReading) {
+  const std::string small = " --set 'packing.container.size=[12 mm, 12 mm]' --set outputs=[] --set renderers=[]";
+  for (const char* test : {"baseline_b_ucs", "baseline_b_tension"}) {
+    const Json printed = run(test);
+    const Result r = call("run '" + workflows + "ouyang2017/" + test + ".yaml' --variant inferred --output inferred_" +
+                          test + " --threads 1" + small);
+    ASSERT_EQ(r.code, 0) << r.text;
+    const Json inferred = Json::parse(content(folder_ / ("inferred_" + std::string(test)) / "summary.json"));
+    if (HasFailure()) return;
+    EXPECT_EQ(printed["elastic_constants"]["secant"]["of"], "stress");
+    EXPECT_EQ(inferred["elastic_constants"]["secant"]["of"], "strain");
+    EXPECT_EQ(inferred["elastic_constants"]["sense"], printed["elastic_constants"]["sense"]);
+    EXPECT_FALSE(inferred["nonlinear_tension"].contains("normal_stiffness_N")) << "no one k_n";
+    EXPECT_LT(inferred["youngs_modulus_Pa"].get<double>(), 0.8 * printed["youngs_modulus_Pa"].get<double>()) << test;
+    EXPECT_LT(inferred["peak_stress_Pa"].get<double>(), printed["peak_stress_Pa"].get<double>()) << test;
+  }
+  const Result r = call("validate '" + workflows + "ouyang2017/baseline_biaxial.yaml' --variant inferred");
+  EXPECT_EQ(r.code, 0) << r.text;
+}
+
 TEST_F(SmallOuyang, Spheres) {
   const Json c = run("baseline_3d_ucs"), t = run("baseline_3d_tension");
   if (HasFailure()) return;
   EXPECT_GT(c["peak_stress_Pa"].get<double>(), 3 * t["peak_stress_Pa"].get<double>());
+}
+
+/// As the workflow's own comment has it.
+TEST_F(Program, TheBeamOfBeamBondsBendsSwingsAndBreaksAsItShould) {
+  const auto run = [&](const std::string& more) {
+    const Result r = call("run '" + workflows + "laws/beam_bond.yaml' --output beam --overwrite --threads 1 " + more +
+                          " --set outputs=[] --set renderers=[]");
+    EXPECT_EQ(r.code, 0) << r.text;
+    return r.code == 0 ? Json::parse(content(folder_ / "beam/summary.json"))["end_load"] : Json();
+  };
+  constexpr double pi = 3.14159265358979, r = 1e-3, L = 40e-3, E = 30e9, G = E / 2.4, I = pi / 4 * r * r * r * r,
+                   A = pi * r * r, F = 3;
+  const Json bent = run("");
+  if (HasFailure()) return;
+  EXPECT_EQ(bent["stopped_by"], "rest");
+  const double known = F * L * L * L / (48 * E * I) + F * L / (4 * 0.9 * G * A);
+  // The chain turns by a hundredth: that its ends do not come nearer by what it bends is of the square of this.
+  EXPECT_NEAR(bent["middle_load_displacement_x_m"].get<double>(), known, 2e-4 * known);
+  const Json broken = run("--variant failure");
+  if (HasFailure()) return;
+  EXPECT_EQ(broken["stopped_by"], "max_displacement");
+  // F L/4 = 60 MPa I/r; the load still grows while the beam follows.
+  EXPECT_NEAR(6 * broken["load_factor_at_first_break"].get<double>(), 4 * 60e6 * I / r / L, 0.02 * 4.7);
+  EXPECT_EQ(run("--variant vibration")["stopped_by"], "duration");
+  EXPECT_EQ(run("--variant small")["stopped_by"], "rest");
 }
 
 }  // namespace

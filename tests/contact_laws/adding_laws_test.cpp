@@ -5,30 +5,12 @@
 #include <cstring>
 #include <numbers>
 
-#include "support/support.hpp"
+#include "several.hpp"
 
 namespace breccia::testing {
 namespace {
 
 constexpr double r = 1e-3;
-
-/// Laws from their libraries, and a simulation of theirs.
-struct Several {
-  Several(const PackedParticles& packing, const std::vector<std::pair<std::string, Json>>& list, double tolerance,
-          EngineSettings settings = {}) {
-    std::vector<NamedLaw> named;
-    for (const auto& [name, config] : list) {
-      laws.push_back(make_law(config, name));
-      named.push_back({laws.back().get(), name});
-    }
-    simulation = std::make_unique<Simulation>(assemble(packing, {2650}, 3, 1.0), Interactions(named), settings);
-    simulation->bond({GapMeasure::relative, tolerance, std::nullopt});
-    simulation->prepare();
-  }
-  Simulation* operator->() { return simulation.get(); }
-  std::vector<std::unique_ptr<ContactLaw>> laws;
-  std::unique_ptr<Simulation> simulation;
-};
 
 PackedParticles two(double distance = 2 * r) {
   PackedParticles p;
@@ -41,7 +23,8 @@ PackedParticles two(double distance = 2 * r) {
 const std::pair<std::string, Json> springs = {"elastic_brittle",
                                               elastic_brittle({{"tensile_strength", 1e15}, {"shear_strength", 1e15}})};
 std::pair<std::string, Json> dashpot(double normal, double shear = 0) {
-  return {"dashpot", {{"normal_ratio", normal}, {"shear_ratio", shear}, {"stiffness_modulus", 10e9}}};
+  return {"viscous",
+          {{"normal_ratio", normal}, {"shear_ratio", shear}, {"stiffness_modulus", 10e9}, {"stiffness_ratio", 1.0}}};
 }
 std::pair<std::string, Json> rolling(double friction, double twisting = 0) {
   return {"rolling_resistance",

@@ -44,11 +44,21 @@ Output check(const std::string& law, const std::string& more = "") {
 }
 
 TEST(LawCheck, ShippedLawsHold) {
-  for (const char* law : {"elastic_brittle", "nonlinear_tension", "elasto_damage_plastic", "dashpot",
-                          "rolling_resistance", "linear_parallel_bond"}) {
+  for (const char* law : {BRECCIA_CONTACT_LAWS}) {
     const Output out = check(law);
     EXPECT_EQ(out.code, 0) << out.text;
     EXPECT_TRUE(has(out.text, "all holds")) << out.text;
+  }
+}
+
+/// A joint lies in space as it is told to: the pair is turned with it, the joint's own direction, too.
+TEST(LawCheck, TurnsDirectionsWithThePair) {
+  for (const char* normal : {"1, 0, 0", "1, 2, -3"}) {
+    const Output out = check("jcfpm", std::string("--set smooth_joint=true --set 'dilation_angle=10 deg' --set "
+                                                  "'joint_normal=[") +
+                                          normal + "]'");
+    EXPECT_EQ(out.code, 0) << out.text;
+    EXPECT_TRUE(has(out.text, "ok  turned in space, contact without a bond")) << out.text;
   }
 }
 

@@ -10,7 +10,7 @@
 
 namespace breccia::test {
 
-static const fs::path example = fs::path(BRECCIA_SOURCE_DIR) / "docs/examples/hertz_mindlin";
+static const fs::path example = fs::path(BRECCIA_SOURCE_DIR) / "docs/examples/hertz";
 
 /// Builds the example and returns the folder where the plugin lies.
 static fs::path build_example(const Folder& folder, const fs::path& package) {
@@ -37,9 +37,9 @@ TEST_P(Outside, BuildsAndLoads) {
   const fs::path lies = build_example(folder, package);
   const Environment path("BRECCIA_PLUGIN_PATH", lies.string());
   const Registry registry;
-  EXPECT_EQ(registry.info("contact_law", "hertz_mindlin").version, "1.0");
+  EXPECT_EQ(registry.info("contact_law", "my_hertz").version, "1.0");
   PairRig rig(registry.create<ContactLaw>(
-      {"hertz_mindlin", {{"youngs_modulus", 1e9}, {"poisson_ratio", 0}, {"friction", 0.5}, {"design_overlap", 0.01}}}));
+      {"my_hertz", {{"youngs_modulus", 1e9}, {"poisson_ratio", 0}, {"friction", 0.5}, {"design_overlap", 0.01}}}));
   rig.step(1e-6, 0);
   // Hertz with E* = E/2 and R* = 1.2 mm: 4/3 E* sqrt(R*) u^(3/2).
   EXPECT_NEAR(rig.force.fx, -4.0 / 3.0 * 0.5e9 * std::sqrt(1.2e-3) * 1e-9, 1e-9 * -rig.force.fx);

@@ -146,6 +146,46 @@ TEST(ElasticConstants, SecantAsHeadline) {
   EXPECT_NEAR(number(s.headlines["poisson_ratio"]), rock.poisson, 1e-12);
 }
 
+/// At half the strain of the peak, 11.25e-3, the bilinear curve carries 187.5 MPa.
+TEST(ElasticConstants, SecantAtAShareOfTheStrain) {
+  const Rock rock;
+  LoadedPostprocessor p("elastic_constants", {{"modulus", "secant"}, {"secant_of", "strain"}});
+  fill(p, rock);
+  FakeSummary s = p.finish({});
+  const double strain = 0.5 * number(s.headlines["peak_strain"]);
+  const double stress = 150e6 + 10e9 * (strain - 7.5e-3);
+  EXPECT_NEAR(strain, 11.25e-3, 1e-5);
+  EXPECT_NEAR(number(s.headlines["youngs_modulus_Pa"]), stress / strain, 1e-9 * rock.modulus);
+  EXPECT_NEAR(number(s.headlines["poisson_ratio"]), rock.poisson, 1e-12);
+  EXPECT_EQ(s.owned["secant"]["of"], "strain");
+}
+
+/// Eq. 3 of Ouyang et al. (2017) with b = 0.2, 20 GPa at the beginning and a peak at a strain of 4e-3, pulled from a
+/// seat of 1 MPa at a strain of 1e-3: at half the strain the secant is 0.2 (1 - exp(-2.5))/0.5 of the initial slope,
+/// the samples do not meet it, and the lateral strain, which grows with the square, has done a quarter of its way.
+TEST(ElasticConstants, SecantAtHalfTheStrainOfACurveThatBends) {
+  for (const bool tension : {false, true}) {
+    const double sign = tension ? -1 : 1, peak = 4e-3, b = 0.2, slope = 20e9;
+    LoadedPostprocessor p(
+        "elastic_constants",
+        {{"modulus", "secant"}, {"secant_of", "strain"}, {"sense", tension ? "tension" : "compression"}});
+    std::vector<double> stress, strain, lateral;
+    for (int k = 0; k <= 2001; ++k) {
+      const double e = peak * k / 2001;
+      stress.push_back(sign * (1e6 + slope * b * peak * (1 - std::exp(-e / (b * peak)))));
+      strain.push_back(sign * (1e-3 + e));
+      lateral.push_back(sign * (5e-4 + 0.3 * e * e / peak));
+    }
+    p.curves.add_column("axial_stress", stress);
+    p.curves.add_column("axial_strain", strain);
+    p.curves.add_column("lateral_strain", lateral);
+    FakeSummary s = p.finish({});
+    // Linear between samples 2e-6 apart: within (2e-6)^2/8 of the curvature, slope/(b peak) exp(-2.5).
+    EXPECT_NEAR(number(s.headlines["youngs_modulus_Pa"]), slope * 0.4 * (1 - std::exp(-2.5)), 1e-6 * slope);
+    EXPECT_NEAR(number(s.headlines["poisson_ratio"]), 0.15, 1e-6);
+  }
+}
+
 TEST(ElasticConstants, TensionTestIsMirrored) {
   Rock rock;
   rock.peak = 10e6;

@@ -25,9 +25,9 @@ inline std::unique_ptr<Protocol> make_protocol(const std::string& name, Json con
 class ProtocolRun {
  public:
   ProtocolRun(const PackedParticles& packing, const Json& law, const std::string& law_name, double tolerance,
-              const std::string& protocol, const Json& config, int dimension = 3, int threads = 1)
+              const std::string& protocol, const Json& config, int dimension = 3, int threads = 1, double damping = 0.5)
       : rig_(registry(), packing, PluginStack{{{law_name, law}}}, make_protocol(protocol, config),
-             {dimension, 1.0, tolerance, threads}) {}
+             {dimension, 1.0, tolerance, threads, {20, 0}, damping}) {}
 
   /// To the protocol's end; fails when it takes more steps. `watch` sees each sample.
   template <class Watch>

@@ -124,5 +124,74 @@ TEST(Moments, TheCriticalStepIsThatOfTheBendingModeWhereBendingIsStiffest) {
     }
 }
 
+TEST(Moments, AppliedTorquesTurnAPairAndTheirWorkIsBooked) {
+  // Opposite torques from rest: the spring goes to twice its rest under them, and back.
+  const Stiffness k{0.5, 50, 0.3};
+  const struct {
+    int dimension;
+    Vec3 axis;
+    double stiffness;
+    std::size_t column;
+  } turns[] = {
+      {2, Vec3::UnitZ(), 50, 5}, {3, Vec3::UnitZ(), 50, 5}, {3, Vec3::UnitY(), 50, 4}, {3, Vec3::UnitX(), 0.3 * 50, 6}};
+  for (const auto& t : turns) {
+    const double torque = 1e-4;
+    Bench b = pair(k, t.dimension, 0.05);
+    b->set_applied_force(0, Vec3::Zero(), -torque * t.axis, Mat3::Zero());
+    b->set_applied_force(1, Vec3::Zero(), torque * t.axis, Mat3::Zero());
+    b->forces();
+    b->mark_start_of_loading();
+    double most = 0, least = 0, work = 0, error = 0, fastest = 0;
+    for (int step = 0; step < 3000; ++step) {
+      b->advance();
+      b->forces();
+      const double spring = b->state().pairs.columns[t.column][0];
+      most = std::max(most, spring);
+      least = std::min(least, spring);
+      fastest = std::max(fastest, 2 * b->state().particles.angular_velocity()[1].norm());
+      if (step % 7) continue;
+      const auto energy = b->view().energy;
+      work = std::max(work, energy.boundary_work);
+      error = std::max(error, std::abs(energy.error()));
+    }
+    const double known = 2 * torque / t.stiffness;
+    EXPECT_NEAR(most, known, 1e-3 * known) << t.dimension << "D, column " << t.column;
+    EXPECT_GT(least, -1e-3 * known);
+    EXPECT_NEAR(work, torque * known, 2e-3 * torque * known);
+    // The kinetic energy is that of half a step before: by so much it lags behind the work.
+    EXPECT_LT(error, 0.51 * b->time_step() * torque * fastest);
+    EXPECT_LT(b->state().particles.velocity()[0].norm(), 1e-9 * r / b->time_step());
+
+    b->advance();
+    b->set_applied_force(0, Vec3::Zero(), Vec3::Zero(), Mat3::Zero());
+    b->set_applied_force(1, Vec3::Zero(), Vec3::Zero(), Mat3::Zero());
+    b->forces();
+    const double before = b->view().energy.boundary_work;
+    for (int step = 0; step < 100; ++step) {
+      b->advance();
+      b->forces();
+    }
+    EXPECT_NEAR(b->view().energy.boundary_work, before, 1e-3 * work) << "what was taken away works no more";
+  }
+}
+
+TEST(Moments, AFreeParticleSpinsUpUnderATorque) {
+  const double torque = 1e-5;
+  for (const int dimension : {2, 3}) {
+    Bench b = pair({0.5, 50, 0.3}, dimension, 0.05, false);
+    b->forces();
+    b->mark_start_of_loading();
+    b->set_applied_force(1, Vec3::Zero(), torque * Vec3(1, 1, 1), Mat3::Zero());
+    b->set_applied_force(1, Vec3::Zero(), torque * Vec3(1, 1, 1), Mat3::Zero());  // stays, is not added
+    b.steps(200);
+    const Vec3 spin = b->state().particles.angular_velocity()[1];
+    // The first step is a half one: leapfrog's velocities stand in the middle of steps.
+    const double known = torque * 200 * b->time_step() / inertia(dimension);
+    EXPECT_NEAR(spin.z(), known, 0.01 * known);
+    EXPECT_NEAR(spin.x(), dimension == 2 ? 0 : known, 0.01 * known) << "in a plane nothing turns about x";
+    EXPECT_EQ(b->state().particles.angular_velocity()[0], Vec3::Zero().eval());
+  }
+}
+
 }  // namespace
 }  // namespace breccia::testing

@@ -128,7 +128,7 @@ class Specimen {
       pair_state_.push_back(bond_state_.back());
       pair_bond_.push_back(Index(k));
       const Vec3 f = (breaks ? -2.0 : 5.0) * d.normalized() + 3.0 * d.cross(Vec3(0.3, 0.5, 0.7)).normalized();
-      pair_force_.push_back({f.x(), f.y(), f.z(), 0, 0, 0, 0, 0});
+      pair_force_.push_back({f.x(), f.y(), f.z(), 0});
     });
     fields_ = {{Field::On::particles, "damage", "1", 1, {}}, {Field::On::bonds, "length_change", "m", 1, {}}};
     for (std::size_t p = 0; p < n; ++p) fields_[0].values.push_back(bonds[p] > 0 ? broken[p] / bonds[p] : 0);

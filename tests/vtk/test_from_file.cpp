@@ -186,6 +186,31 @@ TEST_F(FromFile, BadVtpFilesAreRefused) {
                   cylinder);
            }),
            "type.vtp: it is damaged");
+  // Of this many components VTK looked for a name each, for hours.
+  for (const char* components : {"1999999999999cii", "1999999999", "-3", "0", "3 "})
+    expect(user_error([&] {
+             load(folder_.file("many.vtp",
+                               R"(<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>)"
+                               R"(<Piece NumberOfPoints="0"><PointData><DataArray type="Float64" Name="radius" )"
+                               R"(NumberOfComponents=")" +
+                                   std::string(components) +
+                                   R"("/></PointData><Points><DataArray type="Float64" NumberOfComponents="3" )"
+                                   R"(format="ascii"></DataArray></Points></Piece></PolyData></VTKFile>)"),
+                  cylinder);
+           }),
+           "many.vtp: it is damaged");
+  // More points than any file of this size can hold: memory for them was asked for.
+  for (const char* points : {"3999999999999", "-1", "3 "})
+    expect(user_error([&] {
+             load(folder_.file("points.vtp",
+                               R"(<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>)"
+                               R"(<Piece NumberOfPoints=")" +
+                                   std::string(points) +
+                                   R"("><Points><DataArray type="Float64" NumberOfComponents="3" )"
+                                   R"(format="ascii">0 0 0</DataArray></Points></Piece></PolyData></VTKFile>)"),
+                  cylinder);
+           }),
+           "points.vtp: it is damaged");
   auto output = make<Output>(BRECCIA_VTK_PLUGIN, {});
   output->begin(folder_.path(), host_);
   output->frame(Specimen(20, 3).view(0), {});

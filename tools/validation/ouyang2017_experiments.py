@@ -75,8 +75,8 @@ def initial_modulus(run):
     return sum(e * s for e, s in points) / sum(e * e for e, _ in points)
 
 
-def network(report, tension):
-    """tension: {material: a run in tension with frames}; the first is varied."""
+def network(report, tension, inferred):
+    """tension: {material: a run in tension with frames}; the first is varied. inferred: {material: a run of that reading}."""
     rows = []
     for k, (material, run) in enumerate(tension.items()):
         if not run or not (run.folder / "particles_000000.vtp").exists():
@@ -84,7 +84,7 @@ def network(report, tension):
         law = run.summary["nonlinear_tension"]
         kn, ks, km = law["normal_stiffness_N"], law["shear_stiffness_N"], law["bending_stiffness_N_m_rad"]
         diameter = 2 * law["reference_radius_m"]
-        readings = [("equations as printed", {}, (kn, ks, km))]
+        readings = [("equations as printed", {}, (kn, ks, km)), ("k_n x/R_max, x the harmonic mean", {"harmonic": True}, (kn, ks, km))]
         if k == 0:
             readings += [("without bending stiffness", {}, (kn, ks, 0)), ("without rotations", {"rotations": False}, (kn, ks, km)),
                          ("displacements over 2 R_max instead of d0", {"reference_length": diameter}, (kn, ks, km)),
@@ -97,6 +97,8 @@ def network(report, tension):
         *solved, bound = json.loads(stored.read_text())
         rows += [["", text, f"{e / 1e9:.2f}", f"{nu:.3f}"] for (text, *_), (e, nu) in zip(readings, solved)]
         rows.append(["", "uniform strain, an upper bound", f"{bound / 1e9:.2f}", ""])
+        if inferred.get(material):
+            rows.append(["", "the engine with k_n x/R_max, first 8 % of the strength", f"{initial_modulus(inferred[material]) / 1e9:.2f}", ""])
         rows.append(["", "the engine, secant at half the strength", f"{run.get('youngs_modulus_Pa') / 1e9:.2f}", f"{run.get('poisson_ratio'):.3f}"])
         ratio = run.reference.get("poisson_ratio")
         rows.append(["", "the paper, secant at half the strength", f"{run.reference['youngs_modulus_Pa'] / 1e9:.2f}", "" if ratio is None else f"{ratio:.3f}"])

@@ -81,9 +81,10 @@ class Network:
         axial, lateral = (3 + s) / 8, (1 - s) / 8
         return kn * lengths / self.width / self.height * (axial - lateral ** 2 / axial)
 
-    def tension(self, kn, ks, km, reference_length=None, rotations=True, drop=0.0):
+    def tension(self, kn, ks, km, reference_length=None, rotations=True, drop=0.0, harmonic=False):
         """Modulus [Pa] and Poisson's ratio (of the gauges) for ends held as by `direct_tension`, 1 m thick. With a `reference_length` [m]
-        forces go with displacements over this instead of over d0; `drop` leaves out this share of the bonds at random."""
+        forces go with displacements over this instead of over d0; `drop` leaves out this share of the bonds at random; `harmonic`: all
+        stiffnesses of a bond times the harmonic mean of its radii over the largest radius."""
         n, held = len(self.x), self.lower | self.upper
         terms, chance = [], random.Random(1)
         for i, j in self.bonds:
@@ -91,16 +92,18 @@ class Network:
                 continue
             dx, dy = self.x[j] - self.x[i], self.y[j] - self.y[i]
             d = math.hypot(dx, dy)
-            stiff = 1 / (reference_length or d)
-            terms.append((3 * i, 3 * j, dx / d, dy / d, self.radius[i], self.radius[j], kn * stiff, ks * stiff))
+            ri, rj = self.radius[i], self.radius[j]
+            share = 2 * ri * rj / (ri + rj) / self.largest if harmonic else 1.0
+            stiff = share / (reference_length or d)
+            terms.append((3 * i, 3 * j, dx / d, dy / d, ri, rj, kn * stiff, ks * stiff, km * share))
         free = [0.0 if k // 3 in held or not rotations and k % 3 == 2 else 1.0 for k in range(3 * n)]
 
         def force(u):
             f = [0.0] * (3 * n)
-            for i, j, nx, ny, ri, rj, an, at in terms:
+            for i, j, nx, ny, ri, rj, an, at, am in terms:
                 ux, uy, wi, wj = u[j] - u[i], u[j + 1] - u[i + 1], u[i + 2], u[j + 2]
                 normal, shear = an * (nx * ux + ny * uy), at * (nx * uy - ny * ux - ri * wi - rj * wj)
-                fx, fy, bend = normal * nx - shear * ny, normal * ny + shear * nx, km * (wi - wj)
+                fx, fy, bend = normal * nx - shear * ny, normal * ny + shear * nx, am * (wi - wj)
                 f[i] -= fx
                 f[i + 1] -= fy
                 f[j] += fx
@@ -109,11 +112,11 @@ class Network:
                 f[j + 2] += -bend - rj * shear
             return f
         diagonal = [0.0] * (3 * n)
-        for i, j, nx, ny, ri, rj, an, at in terms:
+        for i, j, nx, ny, ri, rj, an, at, am in terms:
             for k, r in ((i, ri), (j, rj)):
                 diagonal[k] += an * nx * nx + at * ny * ny
                 diagonal[k + 1] += an * ny * ny + at * nx * nx
-                diagonal[k + 2] += at * r * r + km
+                diagonal[k + 2] += at * r * r + am
         inverse = [m / d if d else 0.0 for m, d in zip(free, diagonal)]
         u = [0.0] * (3 * n)
         for k in range(n):

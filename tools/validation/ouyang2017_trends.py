@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Figures 9 to 13 of Ouyang et al. (2017): every trend that the paper states, each with a number that decides."""
 from .report import kept
+from .runs import mean
 
 RATIO, BENDING, SHAPE, WIDTH, SHEAR = ("contact_law." + p for p in ("shear_stiffness_ratio", "bending_ratio", "tension_shape", "bond_width", "shear_strain_ratio"))
 STUDIES = {  # name: (abscissa, series, cases, figures, charts)
@@ -135,35 +136,63 @@ def shear_strain(s):
     yield "nu_t unchanged", "at most 0.03", spans(nu, 3), every(nu, lambda line: max(line) - min(line) <= 0.03)
 
 
-def trends(report, figures, runner):
-    studies = {name: Study(name, runner.sweep(f"ouyang2017/{name}", STUDIES[name][2])) for name in STUDIES}
-    report.text("## Trends (Figs 9 to 13)", "On specimen A, one packing. The paper shows its curves as pictures; checked is what its text says. The criterion is our "
-                "reading of the words. In the measured column the number before the colon is the series: km/(kn R) of Fig. 9, ks/kn of the others.")
-    rows = []
-    for name, check in [("study_ks_kn", ks_kn), ("study_b", shape), ("study_w", bond_width), ("study_shear_strain", shear_strain)]:
-        s = studies[name]
-        if not s.decides:
-            rows.append([s.figures, TEXTS[name], "", "not measured: too few points are finished", ""])
-            continue
-        if not s.complete:
-            rows.append([s.figures, f"**of a part of the points only**: {TEXTS[name]}", "", "finished: " + ", ".join(f"{x:g}" for x in s.at_x), ""])
-        for text, criterion, measured, holds in check(s):
-            rows.append([s.figures, text, criterion, measured, kept(holds)])
-            if not holds:
-                report.missed.append(f"{s.figures}, {text} ({criterion}): {measured}")
+CHECKS = {"study_ks_kn": ks_kn, "study_b": shape, "study_w": bond_width, "study_shear_strain": shear_strain}
+SPANS = [("UCS/TS", 5, 45, 1), ("Ec/Et", 1.05, 1.6, 2)]
+SHORT = {"study_b": ["UCS_over_TS", "Ec_over_Et", "nu_c"], "study_ks_kn": ["nu_c", "UCS_over_TS"]}   # charts of other readings than the first
+
+
+def studies_of(runner, reading):
+    fixed = [s.replace("=", ": ", 1) for s in reading.settings]
+    return {name: Study(name, runner.sweep(f"ouyang2017/{name}", STUDIES[name][2], reading.study_label, reading.variant, fixed)) for name in STUDIES}
+
+
+def checked(studies):
+    """[(study, what the paper says, criterion, measured, "kept")] of what can be said."""
+    rows = [(name, *line[:3], kept(line[3])) for name, check in CHECKS.items() if studies[name].decides for line in check(studies[name])]
     present = [s for s in studies.values() if s.values]
-    for q, low, high, digits in [("UCS/TS", 5, 45, 1), ("Ec/Et", 1.05, 1.6, 2)]:
-        every_value = [v for s in present for v in s.all(q)]
-        if not every_value:
-            rows.append(["all", f"{q} spans {low} to {high}", "", "not measured", ""])
-            continue
-        holds = min(every_value) <= 1.1 * low and max(every_value) >= 0.9 * high
-        criterion = "least and greatest of all points within 10 % of the bounds, or beyond"
-        measured = f"{min(every_value):.{digits}f} to {max(every_value):.{digits}f} in {len(every_value)} points"
-        whole = all(s.decides for s in studies.values())
-        rows.append(["all", f"{q} spans {low} to {high}", criterion, measured, kept(holds) if holds or whole else "open"])
-        if whole and not holds:
-            report.missed.append(f"{q} spans {low} to {high}: {measured}")
-    report.table(["figure", "the paper", "criterion", "measured", ""], rows)
-    for name, s in studies.items():
-        figures.study(report, name, s.figures, "specimen A: " + TEXTS[name] + ("" if s.complete else ", of the points that are finished"), s.charts)
+    for q, low, high, digits in SPANS:
+        values = [v for s in present for v in s.all(q)]
+        if values:
+            holds, whole = min(values) <= 1.1 * low and max(values) >= 0.9 * high, all(s.decides for s in studies.values())
+            rows.append(("all", f"{q} spans {low} to {high}", "least and greatest of all points within 10 % of the bounds, or beyond",
+                         f"{min(values):.{digits}f} to {max(values):.{digits}f} in {len(values)} points", kept(holds) if holds or whole else "open"))
+    return rows
+
+
+def trends(report, figures, studies):
+    """`studies`: {reading: its studies}. What the first reading does not keep is a target missed."""
+    readings = list(studies)
+    report.text("## Trends (Figs 9 to 13)", "On specimen A, one packing. The paper shows its curves as pictures; checked is what its text says. The criterion is our "
+                "reading of the words. In the columns of what was measured the number before the colon is the series: km/(kn R) of Fig. 9, ks/kn of the others.")
+    lines, kept_by = {}, {r: [0, 0] for r in readings}
+    for k, reading in enumerate(readings):
+        for name, text, criterion, measured, verdict in checked(studies[reading]):
+            number = STUDIES[name][3] if name in STUDIES else "all"
+            lines.setdefault((number, text, criterion), {})[reading] = [measured, verdict]
+            kept_by[reading][0] += verdict == "kept"
+            kept_by[reading][1] += 1
+            if k == 0 and verdict == kept(False):
+                report.missed.append(f"{number}, {text} ({criterion}): {measured}")
+    report.table(["figure", "the paper", "criterion", *(c for r in readings for c in (r.title, ""))],
+                 [[*head, *(c for r in readings for c in of_reading.get(r, ["not measured", ""]))] for head, of_reading in lines.items()])
+    report.text("Kept: " + "; ".join(f"{r.title}: {n} of {m}" for r, (n, m) in kept_by.items()) + ".")
+    for r, of_reading in studies.items():
+        for s in of_reading.values():
+            if s.values and not s.complete:
+                report.text(f"**Of a part of the points only** ({r.title}): {TEXTS[s.name]}; finished: " + ", ".join(f"{x:g}" for x in s.at_x) + ".")
+    for k, (r, of_reading) in enumerate(studies.items()):
+        for name, s in of_reading.items():
+            charts = s.charts if k == 0 else SHORT.get(name, []) if k == 1 else []
+            figures.study(report, "_".join(filter(None, [name, r.study_label])), s.figures,
+                          "specimen A: " + TEXTS[name] + (f", {r.title}" if k else "") + ("" if s.complete else ", of the points that are finished"), charts)
+
+
+def stated(studies):
+    """The numbers that the text gives for Figs 9 to 11: [(figure, quantity, paper, digits, measured or None)]."""
+    ks, b = studies["study_ks_kn"], studies["study_b"]
+
+    def of(study, quantity, x, how):
+        return how(list(study.at(quantity, x).values())) if study.values and x in study.at_x else None
+    return [("Fig. 9", "nu_c at ks/kn = 0.1", 0.45, 2, of(ks, "nu_c", 0.1, mean)), ("Fig. 9", "nu_c at ks/kn = 1", 0.0, 2, of(ks, "nu_c", 1.0, mean)),
+            ("Fig. 10", "UCS/TS at b = 0.05, largest", 45, 1, of(b, "UCS/TS", 0.05, max)), ("Fig. 11", "Ec/Et at b = 0.05", 1.6, 2, of(b, "Ec/Et", 0.05, mean)),
+            ("Fig. 11", "Ec/Et at b = 1", 1.05, 2, of(b, "Ec/Et", 1.0, mean)), ("Fig. 11", "nu_c/nu_t at b = 0.05, largest", 4.5, 2, of(b, "nu_c/nu_t", 0.05, max))]

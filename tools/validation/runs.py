@@ -94,16 +94,20 @@ class Runner:
         self.missing += [c.name for c in cases if c not in results]
         return [results[c] for c in cases if c in results]
 
-    def sweep(self, study, expected):
+    def sweep(self, study, expected, label="", variant="", fixed=()):
         """Rows of results.csv of a study below workflows/ (without .yaml), values as text: those of its finished cases.
-        Without --keep it is run anew, with it (and where it was stopped) it goes on; `expected` is its number of cases."""
-        folder = self.folder / study.rsplit("/", 1)[-1]
+        Without --keep it is run anew, with it (and where it was stopped) it goes on; `expected` is its number of cases. With a
+        `label`: of the workflows' `variant` and with values `fixed` ("path: value") beside those of the study."""
+        file = self.root / f"workflows/{study}.yaml"
+        folder = self.folder / "_".join(filter(None, [file.stem, label]))
+        if label:
+            file = self._changed_study(file, folder.with_suffix(".yaml"), variant, fixed)
         wanted = not self.report and (not self.only or any(part in folder.name for part in self.only.split(",")))
         if wanted and not self.keep and folder.exists():
             shutil.rmtree(folder)
         rows = []
         if wanted or folder.exists():
-            command = [self.program, "sweep", self.root / f"workflows/{study}.yaml", "--output", folder]
+            command = [self.program, "sweep", file, "--output", folder]
             with open(self.folder / (folder.name + ".log"), "w") as log:
                 done = subprocess.run([*command, *(["--jobs", str(self.jobs)] if wanted else ["--collect"])], cwd=self.root,
                                       stdout=log, stderr=subprocess.STDOUT)
@@ -114,6 +118,18 @@ class Runner:
         if len(rows) < expected:
             self.missing.append(f"{folder.name} ({expected - len(rows)} of {expected} cases)")
         return rows
+
+    @staticmethod
+    def _changed_study(file, changed, variant, fixed):
+        """A study names no base, so its text is taken; its workflows are found from anywhere."""
+        text = file.read_text().replace("file: ", f"file: {file.parent}/")
+        for section, lines in (("fixed:\n", fixed), ("grid:\n", [f"variants: [{variant}]"] if variant else [])):
+            if lines and text.count("\n" + section) != 1:
+                sys.exit(f"{file}: has no `{section.strip()}` to add to")
+            text = text.replace("\n" + section, "\n" + section + "".join(f"  {line}\n" for line in lines))
+        changed.parent.mkdir(parents=True, exist_ok=True)
+        changed.write_text(text)
+        return changed
 
     def _is_wanted(self, case):
         return not self.only or any(part in case.name for part in self.only.split(","))

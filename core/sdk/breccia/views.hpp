@@ -35,7 +35,7 @@ struct SpecimenShape {
 struct ParticlesView {
   Strided<const Vec3> position, velocity, angular_velocity, initial_position;  // [m], [m/s], [rad/s], [m]
   Strided<const Vec3> force, torque;    ///< undamped resultants at the current positions [N], [N m]
-  std::span<const Vec3> applied_force;  ///< by the protocol [N]
+  std::span<const Vec3> applied_force;  ///< by the protocol; empty when there is none [N]
   /// Of the applied force and of the force that holds a particle: (point where it acts - centre) (x) force [N m]; empty
   /// when there is none.
   std::span<const Mat3> boundary_moment;
@@ -46,12 +46,10 @@ struct ParticlesView {
   std::size_t size() const { return radius.size(); }
 };
 
-/// What a pair does to its two particles: one cache line, written by the law and gathered per particle.
-struct alignas(64) PairForce {
+/// What a pair does to its two particles, at the point half-way between their surfaces.
+struct alignas(32) PairForce {
   double fx, fy, fz;  ///< force on particle i; minus this on j [N]
-  double tx, ty, tz;  ///< n x shear force: the torque on i per unit of its lever arm, and on j per unit of its own [N]
   double half_gap;    ///< (distance - r_i - r_j)/2: the lever arms are r + half_gap [m]
-  double unused;
 };
 
 /// Pairs that the engine follows now: intact bonds, contacts, and neighbours that may touch soon.

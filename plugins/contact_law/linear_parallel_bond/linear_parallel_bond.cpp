@@ -4,7 +4,8 @@
 /// Source: Potyondy, Cundall (2004), Int. J. Rock Mech. Min. Sci. 41, 1329-1364, Eqs. 13-17; README.md has them.
 #include <numbers>
 
-#include "breccia/contact_law.hpp"
+#include "../../shared/bond_section.hpp"
+#include "../../shared/spring_bond.hpp"
 
 namespace breccia {
 
@@ -68,16 +69,8 @@ struct LinearParallelBond {
         .doc("share of bending and twisting in the stresses that break, beta; 1 is the law of 2004");
   }
 
-  struct State {
-    double shear_x, shear_y, shear_z, bending_x, bending_y, bending_z, twist;
-  };
-  static constexpr std::array columns{StateColumn<State>{&State::shear_x, "bond_shear_x", "m"},
-                                      StateColumn<State>{&State::shear_y, "bond_shear_y", "m"},
-                                      StateColumn<State>{&State::shear_z, "bond_shear_z", "m"},
-                                      StateColumn<State>{&State::bending_x, "bond_bending_x", "rad"},
-                                      StateColumn<State>{&State::bending_y, "bond_bending_y", "rad"},
-                                      StateColumn<State>{&State::bending_z, "bond_bending_z", "rad"},
-                                      StateColumn<State>{&State::twist, "bond_twist", "rad"}};
+  using State = SpringBond;
+  static constexpr auto columns = spring_bond_columns;
   static constexpr bool has_moments = true, respects_protection = true;
   static constexpr auto per_bond() {
     return std::array{PerBond<LinearParallelBond>{"tensile_strength", &LinearParallelBond::tensile_strength},
@@ -85,105 +78,70 @@ struct LinearParallelBond {
   }
 
   LinearParallelBond(const Config& c, const Assembly& a)
-      : modulus(c.bond_modulus.value_or(0)),
+      : section(c.radius_multiplier, a),
+        modulus(c.bond_modulus.value_or(0)),
         stiffness_per_area(c.normal_stiffness.value_or(0)),
         inverse_ratio(1 / c.stiffness_ratio),
         tensile_strength(c.tensile_strength),
         cohesion(c.cohesion),
         friction(std::tan(c.internal_friction_angle)),
-        multiplier(c.radius_multiplier),
-        contribution(c.moment_contribution),
-        disc(a.dimension == 2 ? 0 : std::numbers::pi),
-        breadth(a.dimension == 2 ? 2 * a.thickness : 0) {}
+        contribution(c.moment_contribution) {}
 
   BRECCIA_KERNEL State initial(const Contact&) const { return {0, 0, 0, 0, 0, 0, 0}; }
 
   BRECCIA_KERNEL ContactForce operator()(const Contact& c, State& s) const {
-    const Section at = section(c);
+    const Cement at = cement(c);
     const bool was = c.intact > 0.5, breakable = c.breakable > 0.5;
-    const double opened = c.distance - c.rest_length;
-    const PlaneVector slid = follow_plane(c, s.shear_x, s.shear_y, s.shear_z);
-    const double x = slid.x + c.shear_x, y = slid.y + c.shear_y, z = slid.z + c.shear_z;
-    const PlaneVector bent = follow_plane(c, s.bending_x, s.bending_y, s.bending_z);
-    const double turned = c.turn_x * c.nx + c.turn_y * c.ny + c.turn_z * c.nz;
-    const double bx = bent.x + (c.turn_x - turned * c.nx), by = bent.y + (c.turn_y - turned * c.ny),
-                 bz = bent.z + (c.turn_z - turned * c.nz), twist = s.twist + turned;
+    const SpringMotion m = spring_motion(c, s, {c.shear_x, c.shear_y, c.shear_z});
+    const PlaneVector &x = m.across, &b = m.turning.now;
 
     // The springs at the rim: M R/I = k_n theta R, M_t R/J = k_s theta_t R.
-    const double rim = contribution * at.radius, mean = at.normal * opened;
-    const double pull = mean + rim * at.normal * std::sqrt(bx * bx + by * by + bz * bz);
-    const double shear = at.shear * (std::sqrt(x * x + y * y + z * z) + rim * at.twists * std::abs(twist));
+    const double rim = contribution * at.section.radius, mean = at.normal * m.opened;
+    const double pull = mean + rim * at.normal * std::sqrt(b.x * b.x + b.y * b.y + b.z * b.z);
+    const double shear =
+        at.shear * (std::sqrt(x.x * x.x + x.y * x.y + x.z * x.z) + rim * section.twists() * std::abs(m.turning.twist));
     const bool tension = breakable & (pull > tensile_strength);
     const bool sheared = breakable & !tension & (shear > cohesion - friction * mean);
     const bool broke = tension | sheared;
 
-    const double hold = was & !broke ? 1.0 : 0.0;
-    s.shear_x = hold * x;
-    s.shear_y = hold * y;
-    s.shear_z = hold * z;
-    s.bending_x = hold * bx;
-    s.bending_y = hold * by;
-    s.bending_z = hold * bz;
-    s.twist = hold * twist;
-
-    const double kn = at.normal * at.area, ks = at.shear * at.area, km = at.normal * at.bending,
-                 kt = at.shear * at.torsion, twisting = kt * s.twist;
-    ContactForce f;
-    f.normal = hold * kn * opened;
-    f.shear_x = ks * s.shear_x;
-    f.shear_y = ks * s.shear_y;
-    f.shear_z = ks * s.shear_z;
-    f.moment_x = km * s.bending_x + twisting * c.nx;
-    f.moment_y = km * s.bending_y + twisting * c.ny;
-    f.moment_z = km * s.bending_z + twisting * c.nz;
+    const ContactStiffness k = springs(at);
+    ContactForce f = spring_force(c, k, m, was & !broke ? 1.0 : 0.0, s);
     f.breaks = tension ? double(BondState::broken_tension) : sheared ? double(BondState::broken_shear) : 0.0;
-    // What the bond stored, less the work that its force and moment did not do in this step any more, as leapfrog has
-    // it: half of them times the way. A spring loses half its force times where it was before the step.
-    const double lost = kn * opened * (opened - c.normal_velocity * c.time_step) +
-                        ks * (slid.x * x + slid.y * y + slid.z * z) + km * (bent.x * bx + bent.y * by + bent.z * bz) +
-                        kt * (twist - turned) * twist;
-    f.fracture_energy = broke ? 0.5 * lost : 0.0;
+    f.fracture_energy = broke ? spring_loss(k, m) : 0.0;
     return f;
   }
 
   BRECCIA_KERNEL double energy(const Contact& c, const State& s) const {
-    const Section at = section(c);
-    const double opened = c.intact > 0.5 ? c.distance - c.rest_length : 0.0;
-    const double shear2 = s.shear_x * s.shear_x + s.shear_y * s.shear_y + s.shear_z * s.shear_z;
-    const double bending2 = s.bending_x * s.bending_x + s.bending_y * s.bending_y + s.bending_z * s.bending_z;
-    return 0.5 * (at.normal * (at.area * opened * opened + at.bending * bending2) +
-                  at.shear * (at.area * shear2 + at.torsion * s.twist * s.twist));
+    return spring_energy(c, springs(cement(c)), s);
   }
 
   BRECCIA_KERNEL ContactStiffness stiffness(const Contact& c) const {
-    const Section at = section(c);
-    const double hold = c.intact > 0.5 ? 1.0 : 0.0, normal = hold * at.normal, shear = hold * at.shear;
-    return {normal * at.area, shear * at.area, normal * at.bending, shear * at.torsion};
+    const ContactStiffness k = springs(cement(c));
+    const double hold = c.intact > 0.5 ? 1.0 : 0.0;
+    return {hold * k.normal, hold * k.shear, hold * k.bending, hold * k.torsion};
   }
 
  private:
-  struct Section {
-    double radius, area, bending, torsion;  ///< R_b [m], A [m2], I and J [m4]
-    double normal, shear;                   ///< k_n, k_s [Pa/m]
-    double twists;                          ///< 0 in a plane, else 1
+  struct Cement {
+    BondSection::Of section;
+    double normal, shear;  ///< k_n, k_s [Pa/m]
   };
-  BRECCIA_KERNEL Section section(const Contact& c) const {
-    const double radius = multiplier * (c.radius_i < c.radius_j ? c.radius_i : c.radius_j), square = radius * radius;
-    Section at;
-    at.radius = radius;
-    at.area = radius * (disc * radius + breadth);
-    at.bending = square * radius * (0.25 * disc * radius + breadth * (1.0 / 3));
-    at.torsion = 0.5 * disc * square * square;
+  BRECCIA_KERNEL Cement cement(const Contact& c) const {
+    Cement at;
+    at.section = section.between(c.radius_i, c.radius_j);
     at.normal = stiffness_per_area + modulus / (c.radius_i + c.radius_j);
     at.shear = at.normal * inverse_ratio;
-    at.twists = disc > 0 ? 1.0 : 0.0;
     return at;
   }
+  BRECCIA_KERNEL static ContactStiffness springs(const Cement& at) {
+    return {at.normal * at.section.area, at.shear * at.section.area, at.normal * at.section.bending,
+            at.shear * at.section.torsion};
+  }
 
+  BondSection section;
   double modulus, stiffness_per_area, inverse_ratio;  // E [Pa] or k_n [Pa/m]: the other is 0; k_s/k_n
   double tensile_strength, cohesion, friction;        // [Pa], [Pa], tan(phi)
-  double multiplier, contribution;                    // lambda, beta
-  double disc, breadth;                               // pi, or 0 in a plane; 2 t there [m], else 0
+  double contribution;                                // beta
 };
 
 }  // namespace breccia

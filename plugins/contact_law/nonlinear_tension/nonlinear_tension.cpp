@@ -44,25 +44,29 @@ struct Law {
         friction(std::tan(c.friction_angle)) {
     const bool discs = a.dimension == 2;
     const double thickness = discs ? a.thickness : 1;
-    if (c.normal_stiffness) k_constant = *c.normal_stiffness * thickness;
-    else if (discs) k_linear = 2 * *c.bond_modulus * thickness;
-    else k_square = 4 * *c.bond_modulus;
-    if (c.bending_stiffness) {
-      bending_constant = *c.bending_stiffness * thickness;
-    } else {
+    const bool same = c.stiffness_radius == StiffnessRadius::none;
+    if (c.bending_ratio || !same) {
       for (const double r : a.radius) reference_radius = std::max(reference_radius, r);
       reference_radius = c.reference_radius.value_or(reference_radius);
-      bending_length = *c.bending_ratio * reference_radius;
     }
+    const double given = c.normal_stiffness.value_or(0) * thickness;
+    if (c.normal_stiffness) (same ? k_constant : k_linear) = same ? given : given / reference_radius;
+    else if (discs) k_linear = 2 * *c.bond_modulus * thickness;
+    else k_square = 4 * *c.bond_modulus;
+    if (c.bending_stiffness) bending_constant = *c.bending_stiffness * thickness;
+    else if (c.bending_of == BendingOf::table) bending_constant = *c.bending_ratio * reference_radius * given;
+    else bending_length = *c.bending_ratio * reference_radius;
+    of_smaller = same || c.stiffness_radius == StiffnessRadius::smaller;
+    of_harmonic = c.stiffness_radius == StiffnessRadius::harmonic;
+    of_mean = c.stiffness_radius == StiffnessRadius::mean;
   }
 
   BRECCIA_KERNEL State initial(const Contact&) const { return {0, 0, 0, 0, 0, 0, 0}; }
 
   BRECCIA_KERNEL ContactForce operator()(const Contact& c, State& s) const {
-    const double smaller = c.radius_i < c.radius_j ? c.radius_i : c.radius_j, touching = c.radius_i + c.radius_j;
-    const double kn = normal_stiffness(smaller), ks = kn * shear_ratio, km = bending_stiffness(kn),
-                 kt = km * torsion_ratio;
-    const double inverse_length = 1 / c.rest_length, inverse_touching = 1 / touching;
+    const double smaller = smaller_radius(c), touching = c.touching(), inverse_touching = 1 / touching;
+    const double kn = normal_stiffness(c), ks = kn * shear_ratio, km = bending_stiffness(kn), kt = km * torsion_ratio;
+    const double inverse_length = 1 / c.rest_length;
     const bool was = c.intact > 0.5, breakable = c.breakable > 0.5;
 
     const double strain = (c.distance - c.rest_length) * inverse_length;
@@ -122,7 +126,7 @@ struct Law {
   }
 
   BRECCIA_KERNEL double energy(const Contact& c, const State& s) const {
-    const double kn = normal_stiffness(c.radius_i < c.radius_j ? c.radius_i : c.radius_j), km = bending_stiffness(kn);
+    const double kn = normal_stiffness(c), km = bending_stiffness(kn);
     const bool intact = c.intact > 0.5;
     const double length = intact ? c.rest_length : c.free_length();
     const double strain = (c.distance - length) / length, pulled = strain > 0 ? strain : 0.0;
@@ -137,7 +141,7 @@ struct Law {
 
   /// Tension is stiffest where it begins, and as stiff there as compression.
   BRECCIA_KERNEL ContactStiffness stiffness(const Contact& c) const {
-    const double kn = normal_stiffness(std::min(c.radius_i, c.radius_j));
+    const double kn = normal_stiffness(c);
     const double km = c.intact > 0.5 ? bending_stiffness(kn) : 0.0;
     return {kn / c.free_length(), kn * shear_ratio / c.rest_length, km, km * torsion_ratio};
   }
@@ -156,19 +160,28 @@ struct Law {
   }
 
  private:
-  BRECCIA_KERNEL double normal_stiffness(double smaller) const {
-    return k_constant + k_linear * smaller + k_square * smaller * smaller;
+  BRECCIA_KERNEL static double smaller_radius(const Contact& c) {
+    return c.radius_i < c.radius_j ? c.radius_i : c.radius_j;
+  }
+  /// One of the three shares is 1, the others are 0 and change no bit.
+  BRECCIA_KERNEL double normal_stiffness(const Contact& c) const {
+    const double sum = c.touching();
+    const double x = of_smaller * smaller_radius(c) + of_harmonic * (2 * c.radius_i * c.radius_j * (1 / sum)) +
+                     of_mean * (0.5 * sum);
+    return k_constant + k_linear * x + k_square * x * x;
   }
   BRECCIA_KERNEL double bending_stiffness(double kn) const { return bending_constant + bending_length * kn; }
 
-  // k_n = k_constant + k_linear r + k_square r^2; k_m = bending_constant + bending_length k_n. Of each one is not zero.
-  double k_constant = 0, k_linear = 0, k_square = 0;  // [N], [N/m], [Pa]
-  double bending_constant = 0, bending_length = 0;    // [N m/rad], [m]
-  double reference_radius = 0;                        // [m]
-  double shear_ratio, torsion_ratio;                  // k_s/k_n, k_t/k_m
-  double limit, scale, inverse_scale, width;          // e_n0, b e_n0, w
-  double shear_limit, shear_cap;                      // e_s0, e_smax
-  double internal_friction, friction;                 // tan(phi), tan(phi_f)
+  // k_n = k_constant + k_linear x + k_square x^2, x a radius of the pair; k_m = bending_constant + bending_length k_n.
+  // Of each one is not zero.
+  double k_constant = 0, k_linear = 0, k_square = 0;    // [N], [N/m], [Pa]
+  double of_smaller = 0, of_harmonic = 0, of_mean = 0;  // 1 of the radius that x is
+  double bending_constant = 0, bending_length = 0;      // [N m/rad], [m]
+  double reference_radius = 0;                          // [m]
+  double shear_ratio, torsion_ratio;                    // k_s/k_n, k_t/k_m
+  double limit, scale, inverse_scale, width;            // e_n0, b e_n0, w
+  double shear_limit, shear_cap;                        // e_s0, e_smax
+  double internal_friction, friction;                   // tan(phi), tan(phi_f)
 };
 
 }  // namespace breccia::nonlinear_tension

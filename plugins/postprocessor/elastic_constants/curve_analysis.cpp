@@ -7,11 +7,14 @@
 namespace breccia {
 namespace {
 
-CurvePoint between(const StressStrainCurve& c, std::size_t row, double level) {
-  const double rise = c.stress[row] - c.stress[row - 1];
-  const double t = rise != 0 ? (level - c.stress[row - 1]) / rise : 1.0;
-  const auto at = [&](const std::vector<double>& v) { return v[row - 1] + t * (v[row] - v[row - 1]); };
-  return {level, at(c.strain), at(c.lateral)};
+/// Where `of`, a column of the curve, passes `level` between the sample before `row` and this one.
+CurvePoint between(const StressStrainCurve& c, std::size_t row, const std::vector<double>& of, double level) {
+  const double rise = of[row] - of[row - 1];
+  const double t = rise != 0 ? (level - of[row - 1]) / rise : 1.0;
+  const auto at = [&](const std::vector<double>& v) {
+    return &v == &of ? level : v[row - 1] + t * (v[row] - v[row - 1]);
+  };
+  return {at(c.stress), at(c.strain), at(c.lateral)};
 }
 
 CurvePoint at_row(const StressStrainCurve& c, std::size_t row) {
@@ -56,15 +59,17 @@ std::optional<Line> fit_line(const std::vector<double>& x, const std::vector<dou
   return Line{xy / xx, yy > 0 ? xy * xy / (xx * yy) : 1.0};
 }
 
-std::optional<CurvePoint> first_rise_to(const StressStrainCurve& c, double level) {
-  for (std::size_t row = 0; row < c.stress.size(); ++row)
-    if (c.stress[row] >= level) return row == 0 ? at_row(c, row) : between(c, row, level);
+std::optional<CurvePoint> first_rise_to(const StressStrainCurve& c, std::vector<double> StressStrainCurve::*of,
+                                        double level) {
+  const std::vector<double>& column = c.*of;
+  for (std::size_t row = 0; row < column.size(); ++row)
+    if (column[row] >= level) return row == 0 ? at_row(c, row) : between(c, row, column, level);
   return {};
 }
 
 std::optional<CurvePoint> first_fall_to(const StressStrainCurve& c, double level, std::size_t after) {
   for (std::size_t row = after + 1; row < c.stress.size(); ++row)
-    if (c.stress[row] <= level && c.as_far_as(after, row)) return between(c, row, level);
+    if (c.stress[row] <= level && c.as_far_as(after, row)) return between(c, row, c.stress, level);
   return {};
 }
 

@@ -48,9 +48,10 @@ FitRange loading_range(const StressStrainCurve& c, double lower, double upper);
 /// Least squares y = a + b x over the range; nothing with fewer than three samples or when x does not change.
 std::optional<Line> fit_line(const std::vector<double>& x, const std::vector<double>& y, const FitRange& range);
 
-/// Where the stress first reaches `level` [Pa], or, past the peak in row `after`, first falls to it other than by
-/// unloading; interpolated.
-std::optional<CurvePoint> first_rise_to(const StressStrainCurve& c, double level);
+/// Where a column of the curve first reaches `level`, or where the stress, past the peak in row `after`, first falls to
+/// it [Pa] other than by unloading; interpolated.
+std::optional<CurvePoint> first_rise_to(const StressStrainCurve& c, std::vector<double> StressStrainCurve::*of,
+                                        double level);
 std::optional<CurvePoint> first_fall_to(const StressStrainCurve& c, double level, std::size_t after);
 
 /// From slopes over the axial strain.

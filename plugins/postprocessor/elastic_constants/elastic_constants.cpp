@@ -12,6 +12,7 @@ namespace {
 
 enum class Modulus { average, secant };
 enum class Sense { compression, tension };
+enum class SecantOf { stress, strain };
 
 template <class T>
 Json or_null(const std::optional<T>& value) {
@@ -32,6 +33,7 @@ class ElasticConstants final : public Postprocessor {
     Modulus modulus;
     Sense sense;
     double range_lower, range_upper, secant_at;
+    SecantOf secant_of;
   };
   static void describe(Schema<Config>& s) {
     s.summary("Young's modulus, Poisson's ratio, peak stress and brittleness from the curves of the run")
@@ -39,7 +41,8 @@ class ElasticConstants final : public Postprocessor {
         .details(
             "`average`: least-squares slope of the samples from `range_lower` to `range_upper` of the peak stress, on "
             "the first way up (ISRM's average modulus of the straight part). `secant`: from the first sample (the "
-            "stress of seating) to `secant_at` of the peak. Poisson's ratio is lateral over axial strain, taken in the "
+            "stress of seating) to `secant_at` of the peak, of its stress or of its strain. Poisson's ratio is lateral "
+            "over axial strain, taken in the "
             "same way. Name the stress "
             "`deviatoric_stress` in a confined test, so that it starts at zero. Where the lateral stress grows by more "
             "than a twentieth of what the axial one does in that range (a rigid cell), modulus and Poisson's ratio are "
@@ -73,7 +76,13 @@ class ElasticConstants final : public Postprocessor {
         .above(0)
         .at_most(1)
         .fallback(0.5)
-        .doc("share of the peak stress of the secant");
+        .doc("share of the peak at which the secant is read, as `secant_of` says");
+    s.param("secant_of", &Config::secant_of)
+        .choice("stress", SecantOf::stress, "where the stress first reaches that share of the peak stress")
+        .choice("strain", SecantOf::strain,
+                "where the strain, counted from the first sample, first reaches that share of its value at the peak")
+        .fallback("stress")
+        .doc("what `secant_at` is a share of");
     s.check([](const Config& c, Issues& issues) {
       if (c.range_lower >= c.range_upper) issues.push_back({"range_lower", "must be less than range_upper"});
     });
@@ -97,11 +106,14 @@ class ElasticConstants final : public Postprocessor {
     }
     const FitRange range = loading_range(c, config_.range_lower * peak.stress, config_.range_upper * peak.stress);
     const auto slope = fit_line(c.strain, c.stress, range), lateral = fit_line(c.strain, c.lateral, range);
-    const auto secant = first_rise_to(c, config_.secant_at * peak.stress);
     const auto slope_modulus = slope ? std::optional(slope->slope) : std::nullopt;
     const auto slope_poisson = lateral ? std::optional(lateral->slope) : std::nullopt;
     // From the first sample: strain is counted from there, and a seated specimen already carries stress.
     const CurvePoint origin{c.stress[0], c.strain[0], c.lateral[0]};
+    const bool of_stress = config_.secant_of == SecantOf::stress;
+    const auto secant = of_stress ? first_rise_to(c, &StressStrainCurve::stress, config_.secant_at * peak.stress)
+                                  : first_rise_to(c, &StressStrainCurve::strain,
+                                                  origin.strain + config_.secant_at * (peak.strain - origin.strain));
     const auto from_origin = [&](double CurvePoint::*of) {
       return secant ? ratio((*secant).*of - origin.*of, secant->strain - origin.strain) : std::nullopt;
     };
@@ -130,6 +142,7 @@ class ElasticConstants final : public Postprocessor {
     summary.own({"secant.youngs_modulus", "Pa"}, or_null(secant_modulus));
     summary.own("secant.poisson_ratio", or_null(secant_poisson));
     summary.own("secant.share_of_peak", config_.secant_at);
+    summary.own("secant.of", of_stress ? "stress" : "strain");
     summary.own({"secant.origin_stress", "Pa"}, origin.stress);
     summary.own("secant.origin_strain", origin.strain);
     const auto half = first_fall_to(c, 0.5 * peak.stress, peak.row);

@@ -94,8 +94,8 @@ class PeriodicCell final : public Protocol {
     stiffness_ = control.bond_stiffness();
     if (!(stiffness_.modulus > 0))
       throw UserError(
-          "protocol periodic_cell: there are no bonds, and their stiffness is what the cell is led by: bond the "
-          "particles");
+          "protocol periodic_cell: there are no bonds, nor contacts where the law makes none, and their stiffness is "
+          "what the cell is led by: widen `bonding`");
     refuse_pressure_out_of_reach(c_.lateral_pressure, stiffness_);
     double widest = 0;
     for (int k = 0; k < dimension_; ++k) widest = std::max(widest, view.cell.width(k));

@@ -14,16 +14,16 @@ static std::unique_ptr<ContactLaw> make_law() {
   Registry registry((std::vector<PluginFolder>()));
   registry.add(fs::path(BRECCIA_FIXTURES) / "example_law.so");
   return registry.create<ContactLaw>(
-      {"hertz_mindlin",
+      {"my_hertz",
        {{"youngs_modulus", youngs}, {"poisson_ratio", poisson}, {"friction", friction}, {"design_overlap", 0.01}}});
 }
 
-class HertzMindlin : public ::testing::Test, protected PairRig {
+class MyHertz : public ::testing::Test, protected PairRig {
  protected:
-  HertzMindlin() : PairRig(make_law()) {}
+  MyHertz() : PairRig(make_law()) {}
 };
 
-TEST_F(HertzMindlin, NormalForceIsHertzs) {
+TEST_F(MyHertz, NormalForceIsHertzs) {
   for (const double overlap : {1e-8, 1e-6, 5e-5}) {
     step(overlap, 0);
     // Johnson (1985), Eq. 4.23 solved for the load, from both spheres' compliances.
@@ -35,7 +35,7 @@ TEST_F(HertzMindlin, NormalForceIsHertzs) {
   EXPECT_EQ(force.fx, 0);
 }
 
-TEST_F(HertzMindlin, EnergyIsTheWorkOfTheNormalForce) {
+TEST_F(MyHertz, EnergyIsTheWorkOfTheNormalForce) {
   constexpr int n = 20000;
   constexpr double deepest = 2e-5;
   double work = 0, before = 0;
@@ -47,7 +47,7 @@ TEST_F(HertzMindlin, EnergyIsTheWorkOfTheNormalForce) {
   EXPECT_NEAR(energy(), work, 1e-6 * work);
 }
 
-TEST_F(HertzMindlin, ShearStiffnessOverNormalStiffnessIsMindlins) {
+TEST_F(MyHertz, ShearStiffnessOverNormalStiffnessIsMindlins) {
   constexpr double overlap = 1e-5, small = 1e-10;
   step(overlap, 0);
   const double f0 = force.fx;
@@ -60,7 +60,7 @@ TEST_F(HertzMindlin, ShearStiffnessOverNormalStiffnessIsMindlins) {
   EXPECT_NEAR(ks / kn, 2 * (1 - poisson) / (2 - poisson), 1e-5);
 }
 
-TEST_F(HertzMindlin, ShearIsLimitedByFrictionAndItsWorkIsAccountedFor) {
+TEST_F(MyHertz, ShearIsLimitedByFrictionAndItsWorkIsAccountedFor) {
   constexpr double overlap = 1e-5, slip = 1e-9;
   step(overlap, 0);
   const double normal_energy = energy();
@@ -75,7 +75,7 @@ TEST_F(HertzMindlin, ShearIsLimitedByFrictionAndItsWorkIsAccountedFor) {
   EXPECT_NEAR(energy() - normal_energy + dissipated.friction, work, 1e-3 * work);
 }
 
-TEST_F(HertzMindlin, NoEnergyComesFromLoadingAndUnloadingAShearedContact) {
+TEST_F(MyHertz, NoEnergyComesFromLoadingAndUnloadingAShearedContact) {
   // Shear while deep, unload to half: the spring may shed energy, never gain it; the account closes exactly.
   step(2e-5, 0);
   const double normal_deep = energy();
@@ -91,7 +91,7 @@ TEST_F(HertzMindlin, NoEnergyComesFromLoadingAndUnloadingAShearedContact) {
   EXPECT_NEAR(shear_left + dissipated.contact, shear_energy, 1e-9 * shear_energy);
 }
 
-TEST_F(HertzMindlin, TheTimeStepSeesContactsThatAreToCome) {
+TEST_F(MyHertz, TheTimeStepSeesContactsThatAreToCome) {
   ContactStiffness apart, touching;
   motion[1].position = Vec3(r1 + r2 + 1e-6, 0, 0);
   Interactions(*law).stiffness(batch, &apart);

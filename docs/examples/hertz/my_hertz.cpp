@@ -4,7 +4,7 @@
 /// 233, 30-46 (tangential force when the normal force changes).
 #include "breccia/contact_law.hpp"
 
-struct HertzMindlin {
+struct MyHertz {
   struct Config {
     double youngs_modulus, poisson_ratio, friction, design_overlap;
   };
@@ -34,7 +34,7 @@ struct HertzMindlin {
                                       breccia::StateColumn<State>{&State::shear_z, "shear_force_z", "N"},
                                       breccia::StateColumn<State>{&State::overlap, "overlap", "m"}};
 
-  HertzMindlin(const Config& c, const breccia::Assembly&)
+  MyHertz(const Config& c, const breccia::Assembly&)
       : effective_modulus(c.youngs_modulus / (2 * (1 - c.poisson_ratio * c.poisson_ratio))),
         effective_shear_modulus(c.youngs_modulus / (4 * (1 + c.poisson_ratio) * (2 - c.poisson_ratio))),
         friction(c.friction),
@@ -101,4 +101,4 @@ struct HertzMindlin {
   double friction, design_overlap;
 };
 
-BRECCIA_CONTACT_LAW(HertzMindlin, "hertz_mindlin")
+BRECCIA_CONTACT_LAW(MyHertz, "my_hertz")
