@@ -2,7 +2,7 @@
 """One thing changed at a time: what the results for Potyondy and Cundall's granite depend on."""
 from .runs import Case
 
-UCS, BRAZILIAN, TENSION, UCS_3D, BRAZILIAN_3D = (f"potyondy2004/{w}" for w in ("ucs_2d", "brazilian_2d", "tension_2d", "ucs_3d", "brazilian_3d"))
+UCS, BRAZILIAN, TENSION, UCS_3D = (f"potyondy2004/{w}" for w in ("ucs_2d", "brazilian_2d", "tension_2d", "ucs_3d"))
 PURE_TENSION = ["contact_law[1].moment_contribution=0"]
 EVEN = ["contact_law[1].tensile_strength=157 MPa", "contact_law[1].cohesion=157 MPa"]
 
@@ -41,20 +41,25 @@ COMPRESSION = [
         ("shear strength with a friction angle of 30 degrees", "phi_30", ["contact_law[1].internal_friction_angle=30 deg"]),
     ]),
 ]
-SPLITTING = [  # text, workflow, label, settings: discs
-    ("Brazilian, as in the workflow: cut out, rigid platens", BRAZILIAN, "", []),
-    ("platens at 0.1 m/s instead of 0.05", BRAZILIAN, "velocity_0p1", ["protocol.platen_velocity=0.1 m/s"]),
-    ("platens of 20 GN/m, a twelfth of the default", BRAZILIAN, "platen_20", ["protocol.platen_stiffness=20 GN/m", "protocol.max_displacement=1.2 %"]),
-    ("platens of 5 GN/m (variant `spread`), porosity 16.5 %: the workflow's first form", BRAZILIAN, "jammed_platen_5",
-     ["packing.porosity=16.5 %", "protocol.platen_stiffness=5 GN/m", "protocol.max_displacement=2.5 %", "protocol.platen_velocity=0.1 m/s"]),
-    ("packed into the round wall instead of cut out", BRAZILIAN, "walls", ["packing.margin=0 mm", "packing.overlap_tolerance=5 %"]),
-    ("discs half as large", BRAZILIAN, "fine", discs_of(0.5)),
-    ("4.4 bonds a disc", BRAZILIAN, "z4p4", ["bonding.coordination_number=4.4"]),
-    ("bending left out of the stresses that break", BRAZILIAN, "beta_0", PURE_TENSION),
-    ("strengths of all bonds alike", BRAZILIAN, "even", EVEN),
-    ("direct tension, as in the workflow", TENSION, "", []),
-    ("direct tension, bending left out of the stresses that break", TENSION, "beta_0", PURE_TENSION),
-    ("direct tension, discs half as large", TENSION, "fine", discs_of(0.5)),
+ONE_GRAIN = "one_grain"   # variant of the Brazilian test: cut free all round
+SPLITTING = [  # text, workflow, variant, label, settings: discs
+    ("Brazilian, as in the workflow: as wide as its vessel", BRAZILIAN, "", "", []),
+    ("platens at 0.1 m/s instead of 0.05", BRAZILIAN, "", "velocity_0p1", ["protocol.platen_velocity=0.1 m/s"]),
+    ("platens at 0.025 m/s", BRAZILIAN, "", "velocity_0p025", ["protocol.platen_velocity=0.025 m/s"]),
+    ("platens of 20 GN/m, a twelfth of the default", BRAZILIAN, "", "platen_20", ["protocol.platen_stiffness=20 GN/m", "protocol.max_displacement=1.2 %"]),
+    ("platens with friction 0.5", BRAZILIAN, "", "platen_friction", ["protocol.platen_friction=0.5"]),
+    ("porosity 16.5 %", BRAZILIAN, "", "jammed", ["packing.porosity=16.5 %"]),
+    ("discs twice as large", BRAZILIAN, "", "coarse", discs_of(2)),
+    ("bending left out of the stresses that break", BRAZILIAN, "", "beta_0", PURE_TENSION),
+    ("strengths of all bonds alike", BRAZILIAN, "", "even", EVEN),
+    ("cut free all round: one grain under a platen (`one_grain`)", BRAZILIAN, ONE_GRAIN, "", []),
+    ("... with platens of 20 GN/m", BRAZILIAN, ONE_GRAIN, "platen_20", ["protocol.platen_stiffness=20 GN/m", "protocol.max_displacement=1.2 %"]),
+    ("... with platens of 5 GN/m, at 0.1 m/s", BRAZILIAN, ONE_GRAIN, "platen_5",
+     ["protocol.platen_stiffness=5 GN/m", "protocol.max_displacement=2.5 %", "protocol.platen_velocity=0.1 m/s"]),
+    ("... bending left out of the stresses that break", BRAZILIAN, ONE_GRAIN, "beta_0", PURE_TENSION),
+    ("... packed into a round wall instead of cut out", BRAZILIAN, ONE_GRAIN, "round_wall", ["packing.margin=0 mm", "packing.overlap_tolerance=5 %"]),
+    ("direct tension, as in the workflow", TENSION, "", "", []),
+    ("direct tension, bending left out of the stresses that break", TENSION, "", "beta_0", PURE_TENSION),
 ]
 SPHERES = [
     ("as in the workflow: platens at 0.1 m/s, 6 bonds a sphere", UCS_3D, "", []),
@@ -66,9 +71,10 @@ SPHERES = [
 
 
 def cases(seed, pictures):
-    """{(workflow, label): case}; the unchanged ones are those of the report."""
-    rows = [(UCS, label, settings) for _, group in COMPRESSION for _, label, settings in group] + [r[1:] for r in SPLITTING + SPHERES]
-    return {(w, label): Case(w, seed, tuple(settings), label, pictures=pictures and not label) for w, label, settings in rows}
+    """{(workflow, variant, label): case}; the unchanged ones are those of the report."""
+    rows = [(UCS, "", label, settings) for _, group in COMPRESSION for _, label, settings in group] + [r[1:] for r in SPLITTING]
+    rows += [(w, "", label, settings) for _, w, label, settings in SPHERES]
+    return {(w, v, label): Case(w, seed, tuple(settings), label, pictures=pictures and not label, variant=v) for w, v, label, settings in rows}
 
 
 def megapascal(run, key="peak_stress_Pa"):
@@ -95,22 +101,22 @@ def tables(report, found, of):
     head = ["", "particles", "bonds a particle", "E' [GPa]", "nu'", "strength [MPa]", "broken in tension", "in shear"]
     report.text("## Experiments", "One thing changed at a time, one packing: a difference below the scatter over packings (above) may be chance. E' and nu' are slopes as measured, not those of plane strain.")
     for heading, group in COMPRESSION:
-        rows = [compression_row(text, found[of[UCS, label]]) for text, label, _ in group if of[UCS, label] in found]
+        rows = [compression_row(text, found[of[UCS, "", label]]) for text, label, _ in group if of[UCS, "", label] in found]
         if rows:
             report.text(f"### Discs in compression: {heading.lower()}")
             report.table(head, rows)
     rows = []
-    for text, workflow, label, _ in SPLITTING:
-        run = found.get(of[workflow, label])
+    for text, workflow, variant, label, _ in SPLITTING:
+        run = found.get(of[workflow, variant, label])
         if run and workflow == TENSION:
-            rows.append([text, run.get("particles"), megapascal(run), "", run.get("bonds_broken_tension"), run.get("bonds_broken_shear")])
+            rows.append([text, run.get("particles"), "", megapascal(run), "", run.get("bonds_broken_tension"), run.get("bonds_broken_shear")])
         elif run:
-            rows.append([text, run.get("particles"), megapascal(run, "brazilian.peak_tensile_stress_Pa"), f"{first_drop(run) * 1e-6:.1f}",
+            rows.append([text, run.get("particles"), f"{run.get('brazilian.platen_particles_at_peak'):.0f}", megapascal(run, "brazilian.peak_tensile_stress_Pa"), f"{first_drop(run) * 1e-6:.1f}",
                          run.get("bonds_broken_tension"), run.get("bonds_broken_shear")])
     if rows:
         report.text("### Discs: how tension is applied and read")
-        report.table(["", "particles", "strength [MPa]", "load that first falls by 5 % of the strength [MPa]", "broken in tension", "in shear"], rows)
-    rows = [compression_row(text, found[of[w, label]]) for text, w, label, _ in SPHERES if of[w, label] in found]
+        report.table(["", "particles", "under a platen at the peak", "strength [MPa]", "load that first falls by 5 % of the strength [MPa]", "broken in tension", "in shear"], rows)
+    rows = [compression_row(text, found[of[w, "", label]]) for text, w, label, _ in SPHERES if of[w, "", label] in found]
     if rows:
         report.text("### Spheres in compression")
         report.table(head, rows)
