@@ -2,13 +2,14 @@
 """Potyondy & Cundall (2004): their granite of discs and of spheres, elastic constants, strength in compression and in splitting."""
 from . import lac_du_bonnet_experiments as study
 from .figures import Drawing
+from .lac_du_bonnet_numbers import filled
 from .report import Report
 from .runs import Case, mean, spread
 
 SEEDS = [1, 2, 3, 4, 5]
 SPACES = {"2d": "Discs (PFC2D)", "3d": "Spheres (PFC3D)"}
 TESTS = ("ucs", "brazilian", "tension")
-ONE_GRAIN = "one_grain"   # a variant of the Brazilian test of discs: cut free all round
+CUT_FREE = "cut_free"   # a variant of the Brazilian test of discs: cut free all round
 # Mean and standard deviation of 10 packings; recalled, not read against the paper again. So are those of the rock.
 PUBLISHED = {"2d": {"E": (70.9, 0.9), "nu": (0.237, 0.011), "UCS": (199.1, 13.0), "TS": (44.7, 3.3)},
              "3d": {"E": (69.2, 0.8), "nu": (0.256, 0.014), "UCS": (198.8, 7.2), "TS": (27.8, 3.8)}}
@@ -23,10 +24,10 @@ def validate(runner, seeds):
     small = runner.variant
     cases = {(t, d, s): Case(f"potyondy2004/{t}_{d}", s, pictures=not small and s == seeds[0], variant=small) for d in SPACES for s in seeds for t in TESTS}
     if not small:
-        cases |= {(ONE_GRAIN, "2d", s): Case("potyondy2004/brazilian_2d", s, pictures=s == seeds[0], variant=ONE_GRAIN) for s in seeds}
+        cases |= {(CUT_FREE, "2d", s): Case("potyondy2004/brazilian_2d", s, pictures=s == seeds[0], variant=CUT_FREE) for s in seeds}
     experiments = {} if small else study.cases(seeds[0], pictures=True)
     found = {r.case: r for r in runner.run([*cases.values(), *experiments.values()])}
-    runs = {(t, d): [found[cases[t, d, s]] for s in seeds if cases.get((t, d, s)) in found] for t in (*TESTS, ONE_GRAIN) for d in SPACES}
+    runs = {(t, d): [found[cases[t, d, s]] for s in seeds if cases.get((t, d, s)) in found] for t in (*TESTS, CUT_FREE) for d in SPACES}
     target = runner.folder if small or runner.missing and runner.only else runner.root / "docs/validation"
     report = Report()
     report.text("# Potyondy and Cundall (2004), Lac du Bonnet granite: measured beside published",
@@ -45,7 +46,7 @@ def validate(runner, seeds):
     made(report, runs)
     discussion = runner.root / "tools/validation/lac_du_bonnet_discussion.md"
     if not small:
-        report.text(discussion.read_text())
+        report.text(filled(discussion.read_text(), found.values()))
     report.finish(target / "lac_du_bonnet.md", head, runner.missing)
 
 
@@ -61,7 +62,7 @@ def values(runs, key):
 def results(report, runs, d):
     ucs, brazilian, tension = (runs[t, d] for t in TESTS)
     brazilian, whole = [r for r in brazilian if split(r)], [r for r in brazilian if not split(r)]
-    one_grain = [r for r in runs[ONE_GRAIN, d] if split(r)]
+    cut_free = [r for r in runs[CUT_FREE, d] if split(r)]
     published, plane = PUBLISHED[d], d == "2d"
     report.text(f"## {SPACES[d]}")
     rows = []
@@ -88,7 +89,7 @@ def results(report, runs, d):
         row("the same, between the sides' mid-points", values(ucs, "poisson_ratio"), "nu", 3, 1, False)
     row("compressive strength [MPa]", values(ucs, STRENGTH), "UCS", 1, 1e6)
     row("Brazilian strength [MPa]", values(brazilian, SPLITTING), "TS", 1, 1e6)
-    row("the same cut free all round: one grain under a platen (variant `one_grain`) [MPa]", values(one_grain, SPLITTING), "TS", 1, 1e6, False)
+    row("the same cut free all round: one grain under a platen (variant `cut_free`) [MPa]", values(cut_free, SPLITTING), "TS", 1, 1e6, False)
     row("direct tension, beside the paper's Brazilian strength [MPa]", values(tension, STRENGTH), "TS", 1, 1e6, False)
     if not rows:
         report.text("Not measured.")
@@ -104,7 +105,7 @@ def results(report, runs, d):
     if brazilian:
         grains = values(brazilian, CARRIERS)
         report.text(f"Grains that carried the load of a platen at the peak of the Brazilian test, of the two platens the fewer: {min(grains):.0f} to {max(grains):.0f}"
-                    + (f"; of discs cut free all round {min(values(one_grain, CARRIERS)):.0f} to {max(values(one_grain, CARRIERS)):.0f}." if one_grain else "."))
+                    + (f"; of discs cut free all round {min(values(cut_free, CARRIERS)):.0f} to {max(values(cut_free, CARRIERS)):.0f}." if cut_free else "."))
 
 
 def packings(report, runs):
@@ -127,9 +128,9 @@ def pictures(report, runner, runs, folder):
             for run in runs[test, d][:1]:
                 out = drawing._render(run, [{"show": s} for s in shown], f"{test}_{d}", 420)
                 files += [drawing._take(out / f"{s}.png", f"{test}_{d}_{s}.png") for s in shown]
-    for run in runs[ONE_GRAIN, "2d"][:1]:
-        out = drawing._render(run, [{"show": s} for s in shown], "one_grain_2d", 420)
-        files += [drawing._take(out / f"{s}.png", f"one_grain_2d_{s}.png") for s in shown]
+    for run in runs[CUT_FREE, "2d"][:1]:
+        out = drawing._render(run, [{"show": s} for s in shown], "cut_free_2d", 420)
+        files += [drawing._take(out / f"{s}.png", f"cut_free_2d_{s}.png") for s in shown]
     drawing._show(report, "Figure", "the first packing's curves and broken bonds (blue: in tension, red: in shear), discs and spheres, in compression and in splitting; at the end the disc cut free all round", files)
 
 

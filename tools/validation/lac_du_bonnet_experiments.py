@@ -2,7 +2,7 @@
 """One thing changed at a time: what the results for Potyondy and Cundall's granite depend on."""
 from .runs import Case
 
-UCS, BRAZILIAN, TENSION, UCS_3D = (f"potyondy2004/{w}" for w in ("ucs_2d", "brazilian_2d", "tension_2d", "ucs_3d"))
+UCS, BRAZILIAN, TENSION, UCS_3D, BRAZILIAN_3D, TENSION_3D = (f"potyondy2004/{w}" for w in ("ucs_2d", "brazilian_2d", "tension_2d", "ucs_3d", "brazilian_3d", "tension_3d"))
 PURE_TENSION = ["contact_law[1].moment_contribution=0"]
 EVEN = ["contact_law[1].tensile_strength=157 MPa", "contact_law[1].cohesion=157 MPa"]
 
@@ -41,7 +41,7 @@ COMPRESSION = [
         ("shear strength with a friction angle of 30 degrees", "phi_30", ["contact_law[1].internal_friction_angle=30 deg"]),
     ]),
 ]
-ONE_GRAIN = "one_grain"   # variant of the Brazilian test: cut free all round
+CUT_FREE = "cut_free"   # variant of the Brazilian test: cut free all round, so that single grains carry
 SPLITTING = [  # text, workflow, variant, label, settings: discs
     ("Brazilian, as in the workflow: as wide as its vessel", BRAZILIAN, "", "", []),
     ("platens at 0.1 m/s instead of 0.05", BRAZILIAN, "", "velocity_0p1", ["protocol.platen_velocity=0.1 m/s"]),
@@ -52,14 +52,21 @@ SPLITTING = [  # text, workflow, variant, label, settings: discs
     ("discs twice as large", BRAZILIAN, "", "coarse", discs_of(2)),
     ("bending left out of the stresses that break", BRAZILIAN, "", "beta_0", PURE_TENSION),
     ("strengths of all bonds alike", BRAZILIAN, "", "even", EVEN),
-    ("cut free all round: one grain under a platen (`one_grain`)", BRAZILIAN, ONE_GRAIN, "", []),
-    ("... with platens of 20 GN/m", BRAZILIAN, ONE_GRAIN, "platen_20", ["protocol.platen_stiffness=20 GN/m", "protocol.max_displacement=1.2 %"]),
-    ("... with platens of 5 GN/m, at 0.1 m/s", BRAZILIAN, ONE_GRAIN, "platen_5",
+    ("cut free all round: one grain under a platen (`cut_free`)", BRAZILIAN, CUT_FREE, "", []),
+    ("... with platens of 20 GN/m", BRAZILIAN, CUT_FREE, "platen_20", ["protocol.platen_stiffness=20 GN/m", "protocol.max_displacement=1.2 %"]),
+    ("... with platens of 5 GN/m, at 0.1 m/s", BRAZILIAN, CUT_FREE, "platen_5",
      ["protocol.platen_stiffness=5 GN/m", "protocol.max_displacement=2.5 %", "protocol.platen_velocity=0.1 m/s"]),
-    ("... bending left out of the stresses that break", BRAZILIAN, ONE_GRAIN, "beta_0", PURE_TENSION),
-    ("... packed into a round wall instead of cut out", BRAZILIAN, ONE_GRAIN, "round_wall", ["packing.margin=0 mm", "packing.overlap_tolerance=5 %"]),
+    ("... bending left out of the stresses that break", BRAZILIAN, CUT_FREE, "beta_0", PURE_TENSION),
+    ("... packed into a round wall instead of cut out", BRAZILIAN, CUT_FREE, "round_wall", ["packing.margin=0 mm", "packing.overlap_tolerance=5 %"]),
     ("direct tension, as in the workflow", TENSION, "", "", []),
     ("direct tension, bending left out of the stresses that break", TENSION, "", "beta_0", PURE_TENSION),
+]
+SPLITTING_3D = [
+    ("Brazilian, as in the workflow: as wide as its vessel", BRAZILIAN_3D, "", "", []),
+    ("platens at 0.2 m/s", BRAZILIAN_3D, "", "velocity_0p2", ["protocol.platen_velocity=0.2 m/s"]),
+    ("5.4 bonds a sphere", BRAZILIAN_3D, "", "z5p4", ["bonding.coordination_number=5.4"]),
+    ("cut free all round (`cut_free`)", BRAZILIAN_3D, CUT_FREE, "", []),
+    ("direct tension, as in the workflow", TENSION_3D, "", "", []),
 ]
 SPHERES = [
     ("as in the workflow: platens at 0.1 m/s, 6 bonds a sphere", UCS_3D, "", []),
@@ -72,7 +79,7 @@ SPHERES = [
 
 def cases(seed, pictures):
     """{(workflow, variant, label): case}; the unchanged ones are those of the report."""
-    rows = [(UCS, "", label, settings) for _, group in COMPRESSION for _, label, settings in group] + [r[1:] for r in SPLITTING]
+    rows = [(UCS, "", label, settings) for _, group in COMPRESSION for _, label, settings in group] + [r[1:] for r in SPLITTING + SPLITTING_3D]
     rows += [(w, "", label, settings) for _, w, label, settings in SPHERES]
     return {(w, v, label): Case(w, seed, tuple(settings), label, pictures=pictures and not label, variant=v) for w, v, label, settings in rows}
 
@@ -97,6 +104,20 @@ def first_drop(run, share=0.05):
     return high
 
 
+def splitting(report, found, of, what, tests):
+    rows = []
+    for text, workflow, variant, label, _ in tests:
+        run = found.get(of[workflow, variant, label])
+        if run and run.get("brazilian") is None:
+            rows.append([text, run.get("particles"), "", megapascal(run), "", run.get("bonds_broken_tension"), run.get("bonds_broken_shear")])
+        elif run:
+            rows.append([text, run.get("particles"), f"{run.get('brazilian.platen_particles_at_peak'):.0f}", megapascal(run, "brazilian.peak_tensile_stress_Pa"),
+                         f"{first_drop(run) * 1e-6:.1f}", run.get("bonds_broken_tension"), run.get("bonds_broken_shear")])
+    if rows:
+        report.text(f"### {what}: how tension is applied and read")
+        report.table(["", "particles", "under a platen at the peak", "strength [MPa]", "load that first falls by 5 % of the strength [MPa]", "broken in tension", "in shear"], rows)
+
+
 def tables(report, found, of):
     head = ["", "particles", "bonds a particle", "E' [GPa]", "nu'", "strength [MPa]", "broken in tension", "in shear"]
     report.text("## Experiments", "One thing changed at a time, one packing: a difference below the scatter over packings (above) may be chance. E' and nu' are slopes as measured, not those of plane strain.")
@@ -105,18 +126,9 @@ def tables(report, found, of):
         if rows:
             report.text(f"### Discs in compression: {heading.lower()}")
             report.table(head, rows)
-    rows = []
-    for text, workflow, variant, label, _ in SPLITTING:
-        run = found.get(of[workflow, variant, label])
-        if run and workflow == TENSION:
-            rows.append([text, run.get("particles"), "", megapascal(run), "", run.get("bonds_broken_tension"), run.get("bonds_broken_shear")])
-        elif run:
-            rows.append([text, run.get("particles"), f"{run.get('brazilian.platen_particles_at_peak'):.0f}", megapascal(run, "brazilian.peak_tensile_stress_Pa"), f"{first_drop(run) * 1e-6:.1f}",
-                         run.get("bonds_broken_tension"), run.get("bonds_broken_shear")])
-    if rows:
-        report.text("### Discs: how tension is applied and read")
-        report.table(["", "particles", "under a platen at the peak", "strength [MPa]", "load that first falls by 5 % of the strength [MPa]", "broken in tension", "in shear"], rows)
+    splitting(report, found, of, "Discs", SPLITTING)
     rows = [compression_row(text, found[of[w, "", label]]) for text, w, label, _ in SPHERES if of[w, "", label] in found]
     if rows:
         report.text("### Spheres in compression")
         report.table(head, rows)
+    splitting(report, found, of, "Spheres", SPLITTING_3D)
