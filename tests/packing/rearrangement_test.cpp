@@ -134,6 +134,8 @@ TEST(CollectiveRearrangement, ASpecimenAsWideAsItsVesselLiesFlushAgainstTheSides
   // Packed as the rectangle alone, to the last bit; of that, the discs whose centres lie in the middle's circle.
   TestHost host;
   Json config = loose(rectangle);
+  config["porosity"] = 0.16;  // jammed, so that the walls are touched
+  config["overlap_tolerance"] = 0.2;
   const PackedParticles whole = pack(config, host, 1, 2);
   config["container"] = {{"shape", "sphere"}, {"diameter", 0.02}};
   config["vessel"] = {0.02, 0.03};
