@@ -131,7 +131,7 @@ def pictures(report, runner, runs, folder):
     for run in runs[CUT_FREE, "2d"][:1]:
         out = drawing._render(run, [{"show": s} for s in shown], "cut_free_2d", 420)
         files += [drawing._take(out / f"{s}.png", f"cut_free_2d_{s}.png") for s in shown]
-    drawing._show(report, "Figure", "the first packing's curves and broken bonds (blue: in tension, red: in shear), discs and spheres, in compression and in splitting; at the end the disc cut free all round", files)
+    drawing._show(report, "Figure", "curves and broken bonds of the first packing. Blue: in tension, orange: in shear. Discs and spheres in compression and in splitting, at the end the disc cut free all round", files)
 
 
 def made(report, runs):
