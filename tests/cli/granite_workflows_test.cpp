@@ -43,7 +43,8 @@ TEST_F(GraniteWorkflows, ADiscAsWideAsItsVesselDoesNotStandOnOneGrain) {
   const Json flush = run("brazilian_2d");
   const Result r = call("run '" BRECCIA_SOURCE_DIR
                         "/workflows/potyondy2004/brazilian_2d.yaml' --output free --threads 1 --variant cut_free "
-                        "--set packing.container.diameter='10 mm' --set packing.overlap_tolerance='15 %' --set protocol.max_displacement='3 %' "
+                        "--set packing.container.diameter='10 mm' --set packing.overlap_tolerance='15 %' --set "
+                        "protocol.max_displacement='3 %' "
                         "--set outputs=[] --set renderers=[]");
   ASSERT_EQ(r.code, 0) << r.text;
   const Json free = Json::parse(content(folder_ / "free" / "summary.json"));
