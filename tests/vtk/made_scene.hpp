@@ -42,6 +42,8 @@ class MadeScene {
   void add_wall(const std::string& name, const Vec3& point, const Vec3& normal) {
     walls_.push_back({name, point, normal, Vec3::Zero(), Vec3::Zero(), -1e3 * normal, 1e3, 0, 1});
   }
+  /// A bond between the first two spheres that broke in tension, at 1 ms.
+  void add_crack(const Vec3& at, const Vec3& normal) { cracks_.push_back({1e-3, at, normal}); }
   std::size_t size() const { return radius_.size(); }
 
   /// One frame.
@@ -55,6 +57,13 @@ class MadeScene {
     }
     SimulationView view;
     view.particles = {position, none, none, initial, none, none, applied, {}, radius_, radius_, held, id, {}};
+    const std::vector<Index> first(cracks_.size(), 0), second(cracks_.size(), 1),
+        parted(cracks_.size(), BondsView::no_pair);
+    std::vector<Index> row;
+    for (std::size_t k = 0; k < cracks_.size(); ++k) row.push_back(Index(k));
+    const std::vector<double> distance(cracks_.size(), 1e-3);
+    const std::vector<BondState> broken(cracks_.size(), BondState::broken_tension);
+    view.bonds = {first, second, distance, broken, parted, row, cracks_};
     view.walls = walls_;
     view.specimen = shape_;
     QuietHost host;
@@ -71,6 +80,7 @@ class MadeScene {
   SpecimenShape shape_;
   std::vector<double> radius_;
   std::vector<WallView> walls_;
+  std::vector<Crack> cracks_;
 };
 
 }  // namespace breccia::test
