@@ -203,11 +203,10 @@ BRECCIA_VECTOR_CLONES bool add_dissipated(const PairAnswer& e, std::size_t n, Di
   return fracture != 0;
 }
 
-/// Rare: bonds break in few steps.
-void record_released(const PairBatch& b, std::size_t at, std::size_t first, std::size_t n, const PairAnswer& e) {
-  if (!b.released) return;
-  b.chunk_broke[at] = 1;
-  for (std::size_t k = 0; k < n; ++k) b.released[first + k] += e.fracture[k];
+/// Few pairs in few steps.
+void record_released(const PairBatch& b, std::size_t first, std::size_t n, const PairAnswer& e) {
+  for (std::size_t k = 0; k < n; ++k)
+    if (e.fracture[k] != 0) b.released->push_back({Index(first + k), e.fracture[k]});
 }
 
 BRECCIA_VECTOR_CLONES bool any_breaks(const PairAnswer& e, std::size_t n) { return lane_sum(e.breaks, n) > 0; }
@@ -344,7 +343,7 @@ void Interactions::evaluate(const PairBatch& b) const {
       for (double* m : {answer.mx, answer.my, answer.mz}) std::fill(m, m + n, 0.0);
     for (std::size_t l = 0; l < laws_.size(); ++l) {
       laws_[l].law->evaluate(chunk, rows.data() + first_column_[l], answer, l > 0);
-      if (add_dissipated(answer, n, dissipated[l])) record_released(b, at, first, n, answer);
+      if (add_dissipated(answer, n, dissipated[l]) && b.released) record_released(b, first, n, answer);
     }
     scatter_chunk(b, at, first, has_moments_, chunk, answer);
     if (b.cell_forces) b.cell_forces[at] = forces_on_cell(chunk, images, answer);

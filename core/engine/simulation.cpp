@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <limits>
 #include <numeric>
-#include <utility>
 
 #include "engine/cell_motion.hpp"
 #include "engine/law_probe.hpp"
@@ -104,7 +103,7 @@ void Simulation::deal_pairs() {
   partition_ = make_partition(state_, incidence_, chunks_, settings_.threads);
   chunk_dissipated_.assign(chunks_.size() * laws_.size(), {});
   chunk_broke_.assign(chunks_.size(), 0);
-  released_.assign(state_.pairs.size(), 0);
+  released_.assign(partition_.shares.size(), {});
   if (state_.cell.repeats()) chunk_cell_forces_.resize(chunks_.size());
   if (const auto& guarded = state_.bonds.guarded; !guarded.empty()) {
     guarded_pairs_.assign(state_.pairs.size(), 0);
@@ -190,7 +189,6 @@ void Simulation::forces(bool to_be_viewed) {
   PairBatch all = whole_batch(s, columns_);
   all.dissipated = chunk_dissipated_.data();
   all.chunk_broke = chunk_broke_.data();
-  all.released = released_.data();
   all.chunk_start = chunks_.start.data();
   if (!laws_.has_kinds()) all.material = nullptr;  // nobody asks
   if (!guarded_pairs_.empty()) all.guarded = guarded_pairs_.data();
@@ -210,6 +208,7 @@ void Simulation::forces(bool to_be_viewed) {
       mine.begin = share.first_pair;
       mine.end = share.end_pair;
       mine.first_chunk = share.first_chunk;
+      mine.released = &released_[t];
       clear_forces(s, share);
       if (mine.begin < mine.end) laws_.evaluate(mine);
     }
@@ -233,16 +232,21 @@ void Simulation::fold_cell_forces() {
 
 void Simulation::record_breaks() {
   State& s = state_;
+  for (std::vector<Released>& of_share : released_) {
+    for (const Released& r : of_share) {
+      const Index b = s.pairs.bond[r.pair];
+      if (b == PairsView::no_bond) continue;
+      if (s.bonds.released.empty()) s.bonds.released.assign(s.bonds.size(), 0);
+      s.bonds.released[b] += r.energy;
+      if (s.bonds.crack_of[b] != BondsView::no_crack) s.bonds.cracks[s.bonds.crack_of[b]].energy += r.energy;
+    }
+    of_share.clear();
+  }
   for (std::size_t c = 0; c < chunk_broke_.size(); ++c) {
     if (!chunk_broke_[c]) continue;
     chunk_broke_[c] = 0;
     for (std::size_t k = chunks_.start[c]; k < chunks_.start[c + 1]; ++k) {
       const Index b = s.pairs.bond[k];
-      if (const double energy = std::exchange(released_[k], 0); energy != 0 && b != PairsView::no_bond) {
-        if (s.bonds.released.empty()) s.bonds.released.assign(s.bonds.size(), 0);
-        s.bonds.released[b] += energy;
-        if (s.bonds.crack_of[b] != BondsView::no_crack) s.bonds.cracks[s.bonds.crack_of[b]].energy += energy;
-      }
       if (b == PairsView::no_bond || s.bonds.state[b] == s.pairs.state[k]) continue;
       const Index i = s.pairs.i[k];
       const Index j = s.pairs.j[k];
