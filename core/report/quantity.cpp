@@ -9,6 +9,8 @@
 #include <limits>
 #include <numbers>
 
+#include "breccia/shown_unit.hpp"
+
 namespace breccia::report {
 namespace {
 
@@ -39,13 +41,6 @@ std::string readable_unit(const std::string& unit) {
   return out;
 }
 
-/// Those whose first symbol may have a prefix that scales the whole; not areas and volumes, and no powers.
-bool takes_prefix(const std::string& unit) {
-  static constexpr const char* all[] = {"Pa",  "m",   "s",    "N",    "J",     "N/m", "Pa/m",
-                                        "m/s", "N m", "Pa s", "J/m2", "N s/m", "W"};
-  return std::find(std::begin(all), std::end(all), unit) != std::end(all);
-}
-
 std::string distribution_text(const Json& written) {
   std::string out = written.value("distribution", "") + " distribution";
   for (const auto& [key, value] : written.items()) {
@@ -74,16 +69,12 @@ std::string number_text(double value, int digits) {
 std::string percent_text(double share, int digits) { return number_text(100 * share, digits) + "\u00A0%"; }
 
 Quantity quantity(double si, const std::string& unit, double like) {
-  if (unit.empty() || unit == "1") return {number_text(si), ""};
   if (unit == "rad") return {number_text(si * 180 / std::numbers::pi), "°"};
   const double size = std::abs(like != 0 ? like : si);
-  if (!takes_prefix(unit) || !(size > 0) || !std::isfinite(size)) return {number_text(si), readable_unit(unit)};
-  static constexpr const char* prefixes[] = {"p", "n", "µ", "m", "", "k", "M", "G", "T"};
-  int power = std::clamp(int(std::floor(std::log10(size) / 3 + 1e-9)), -4, 4);
-  if (unit[0] == 'm' || unit[0] == 's') power = std::min(power, 0);  // nobody says 3 ks
-  if (unit == "m/s" && size >= 0.01) power = 0;
-  if (unit == "m" && size >= 1e-4 && size < 1) power = -1;  // of grains and specimens
-  return {number_text(si * std::pow(10.0, -3 * power)), prefixes[power + 4] + readable_unit(unit)};
+  ShownUnit shown = shown_unit(unit, size);
+  if (unit == "m/s" && size >= 0.01) shown = {1, unit};
+  if (unit == "m" && size >= 1e-4 && size < 1) shown = {1e3, "mm"};  // of grains and specimens
+  return {number_text(si * shown.factor), readable_unit(shown.unit)};
 }
 
 double number_of(const Json& written) {

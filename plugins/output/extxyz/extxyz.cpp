@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Frames for OVITO, ASE and whatever else reads the extended XYZ format.
+#include "../../shared/frame_interval.hpp"
 #include "breccia/atomic_file.hpp"
 #include "breccia/output.hpp"
 #include "frame.hpp"
@@ -23,12 +24,7 @@ class ExtxyzOutput final : public Output {
             "goes on from a checkpoint need not cut a file. OVITO opens the first as a series; `cat particles_*.xyz` "
             "makes one file of all. The README of the plugin lists the columns; all are SI.")
         .source("the extended XYZ format, as OVITO and ASE read it");
-    s.param("interval", &Config::interval)
-        .unit("s")
-        .above(0)
-        .fallback(1e-4)
-        .example("0.1 ms")
-        .doc("time between frames; the first and the last state are always written");
+    frame_interval(s, &Config::interval);
     s.param("precision", &Config::precision)
         .choice("single", extxyz::Precision::single_precision, "some 8 digits")
         .choice("double", extxyz::Precision::double_precision, "some 16 digits: files about twice as large")

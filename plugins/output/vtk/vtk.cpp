@@ -2,6 +2,7 @@
 /// Frames for ParaView and every other reader of VTK's XML formats.
 #include <optional>
 
+#include "../../shared/frame_interval.hpp"
 #include "breccia/output.hpp"
 #include "poly_data.hpp"
 #include "series.hpp"
@@ -24,12 +25,7 @@ class VtkOutput final : public Output {
             "Each array's unit is its `UNITS_LABEL` "
             "information key; all are SI.")
         .source("VTK file formats, version 9.1 (inline binary, LZ4)");
-    s.param("interval", &Config::interval)
-        .unit("s")
-        .above(0)
-        .fallback(1e-4)
-        .example("0.1 ms")
-        .doc("time between frames; the first and the last state are always written");
+    frame_interval(s, &Config::interval);
     s.param("precision", &Config::precision)
         .choice("single", vtk_output::Precision::single_precision, "32 bits")
         .choice("double", vtk_output::Precision::double_precision, "64 bits: files about twice as large")

@@ -95,22 +95,6 @@ std::string font_file() {
   return {};
 }
 
-ShownUnit shown_unit(const std::string& unit, double largest) {
-  if (unit.empty() || unit == "1") return {};
-  if ((unit == "m2" || unit == "m3") && largest > 0) {
-    const bool square = unit == "m2";
-    const ShownUnit side = shown_unit("m", square ? std::sqrt(largest) : std::cbrt(largest));
-    return {std::pow(side.factor, square ? 2 : 3), side.unit + (square ? "²" : "³")};
-  }
-  // A prefix goes with units that begin with a plain metre, second, pascal, newton or joule.
-  const bool plain =
-      unit == "Pa" || unit == "N" || unit == "J" || unit == "m" || unit == "s" || unit == "m/s" || unit == "N m";
-  if (!plain || !(largest > 0) || !std::isfinite(largest)) return {1, unit};
-  static constexpr const char* prefixes[] = {"n", "µ", "m", "", "k", "M", "G"};
-  const int power = std::clamp(int(std::floor(std::log10(largest) / 3 + 1e-9)), -3, 3);
-  return {std::pow(10.0, -3 * power), prefixes[power + 3] + unit};
-}
-
 Ticks nice_ticks(double low, double high, int count, double least_step) {
   if (!(high > low)) return {};
   const double raw = (high - low) / std::max(count, 1), power = std::pow(10.0, std::floor(std::log10(raw)));

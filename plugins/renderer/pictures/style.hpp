@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "breccia/shown_unit.hpp"
 #include "breccia/types.hpp"
 #include "caster.hpp"
 
@@ -60,14 +61,6 @@ ColourTable colour_table(ColourMap map, double low, double high);
 std::string font_file();
 /// From the base line of a text to the middle of its height, in type sizes.
 constexpr double middle_of_type = 0.36;
-
-/// The factor and the unit with the prefix that bring numbers up to `largest` into 1 to 1000; for areas and volumes,
-/// the side of a square or cube of that size.
-struct ShownUnit {
-  double factor = 1;
-  std::string unit;  ///< empty for a pure number
-};
-ShownUnit shown_unit(const std::string& si_unit, double largest);
 
 /// Round numbers within [low, high], about `count` of them, and their labels with just enough digits.
 struct Ticks {
