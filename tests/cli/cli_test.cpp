@@ -250,6 +250,15 @@ TEST_F(Cli, AMisspeltWordOfTheCommandLineIsNamed) {
   EXPECT_NE(r.text.find("unknown option `--outptu`; did you mean `--output`?"), std::string::npos) << r.text;
 }
 
+TEST_F(Cli, WhatElseIsWrongWithACommandIsOneLine) {
+  write_small();
+  EXPECT_EQ(call("run small.yaml --variant a --variant b").text,
+            "breccia run: --variant: may be given only once (`breccia run --help`)\n");
+  const Result r = call("run small.yaml --output");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_EQ(r.text, "breccia run: --output: 1 required FOLDER missing (`breccia run --help`)\n");
+}
+
 TEST_F(Cli, DescribeTakesANameAKindAndSuggests) {
   EXPECT_EQ(call("describe elastic_brittle").text, call("describe contact_law/elastic_brittle").text);
   Result r = call("describe protocol");
