@@ -5,10 +5,13 @@ set(doc share/doc/breccia)
 install(FILES LICENSE DESTINATION ${doc} RENAME copyright)
 install(FILES README.md ARCHITECTURE.md CONTRIBUTING.md CITATION.cff DESTINATION ${doc})
 install(DIRECTORY docs DESTINATION ${doc} PATTERN validation EXCLUDE)
-file(GLOB reports CONFIGURE_DEPENDS docs/validation/*.md)  # their pictures are twice as large as all else together
+file(GLOB reports CONFIGURE_DEPENDS docs/validation/*.md docs/validation/*.json)  # their pictures are as large as all else together
 install(FILES ${reports} DESTINATION ${doc}/docs/validation)
 install(DIRECTORY plugins DESTINATION ${doc} FILES_MATCHING PATTERN README.md)
 install(DIRECTORY workflows DESTINATION share/breccia)
+# Where Debian's Python looks; below another prefix PYTHONPATH has to name it.
+install(DIRECTORY python/breccia DESTINATION lib/python3/dist-packages FILES_MATCHING PATTERN "*.py" PATTERN py.typed
+  PATTERN __pycache__ EXCLUDE)
 
 set(made ${PROJECT_BINARY_DIR}/texts)
 file(MAKE_DIRECTORY ${made})
@@ -48,6 +51,6 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # of the plugins, too, and of the librar
 # author of a law needs. The SDK's headers include those of Eigen and JSON; the compiler is recommended, which apt
 # installs unless told otherwise, so that machines that only run need none.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libeigen3-dev, nlohmann-json3-dev, fonts-dejavu-core")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++ | clang, cmake (>= 3.25), make | ninja-build")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "paraview, python3, snakemake, bash-completion")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++ | clang, cmake (>= 3.25), make | ninja-build, python3, python3-numpy, python3-vtk9, python3-yaml")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg, paraview, python3-pandas, snakemake, bash-completion")
 include(CPack)

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A library of its own: HDF5 brings some thirty others, which a program that writes no checkpoint need not load.
 #include <fcntl.h>
-#include <hdf5.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstring>
 #include <fstream>
 #include <set>
 #include <span>
 
 #include "archive/checkpoint_file.hpp"
+#include "archive/hdf5_tools.hpp"
 #include "breccia/atomic_file.hpp"
 #include "hash/sha256.hpp"
 
@@ -23,13 +22,6 @@ namespace {
 
 constexpr std::size_t header_size = 512;  // where HDF5 looks for its beginning next, after the very start
 constexpr const char* mark = "breccia checkpoint 1";
-/// For the library, which takes two open files of one name for the same: a name that no file has, and no other one
-/// here.
-std::string name_in_memory() {
-  static std::atomic<std::uint64_t> last{0};
-  return "/dev/null/breccia checkpoint " + std::to_string(++last);
-}
-
 struct Type {
   hid_t memory, file;
   std::size_t size;
@@ -51,28 +43,6 @@ Type type_of(Element e) {
       break;
   }
   return {H5T_NATIVE_UINT8, H5T_STD_U8LE, 1};
-}
-
-/// A handle of the library's, and the call that gives it back.
-class Handle {
- public:
-  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  ~Handle() {
-    if (id_ >= 0) close_(id_);
-  }
-  operator hid_t() const { return id_; }
-
- private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
-
-/// Whatever it could not close, for want of memory, it would stumble over when the program ends.
-void be_silent() {
-  H5dont_atexit();  // only before its first other call
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
 std::string header_of(const std::string& digest) {
@@ -134,12 +104,12 @@ class Reader final : public CheckpointReader {
 
 Writer::Writer(std::size_t bytes) {
   if (has_failed) throw UserError("no checkpoint can be made: HDF5 has failed at one before");
-  be_silent();
+  hdf5_is_silent();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   const std::size_t grow = std::clamp(bytes / 8, std::size_t(1) << 16, std::size_t(1) << 22);
   // In the oldest format, the library's default: later ones have a checksum over a byte that H5Fget_file_image changes.
   if (H5Pset_fapl_core(access, grow, false) < 0 ||
-      (file_ = H5Fcreate(name_in_memory().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)) < 0)
+      (file_ = H5Fcreate(name_of_hdf5_in_memory().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)) < 0)
     throw UserError("no checkpoint can be made: HDF5 refuses a file in memory: is there memory enough?");
 }
 
@@ -204,9 +174,8 @@ void Writer::write(const std::string& path, Element element, const void* data, s
 
 void Writer::commit(const fs::path& path) {
   if (H5Fflush(file_, H5F_SCOPE_GLOBAL) < 0) refuse("/", "HDF5 cannot hold it: is there memory enough?");
-  const ssize_t size = H5Fget_file_image(file_, nullptr, 0);
-  std::vector<char> image(size > 0 ? std::size_t(size) : 0);
-  if (size <= 0 || H5Fget_file_image(file_, image.data(), image.size()) != size) refuse("/", "HDF5 gives no file");
+  const std::vector<char> image = image_of(file_);
+  if (image.empty()) refuse("/", "HDF5 gives no file");
   H5Fclose(file_);
   file_ = -1;
   const fs::path arriving = path.string() + ".arriving";
@@ -230,7 +199,7 @@ void Writer::commit(const fs::path& path) {
 }
 
 Reader::Reader(fs::path file) : path_(std::move(file)) {
-  be_silent();
+  hdf5_is_silent();
   std::vector<char> image;
   std::ifstream in(path_, std::ios::binary);
   if (!in) throw UserError("cannot read the checkpoint " + path_.string());
@@ -254,7 +223,7 @@ Reader::Reader(fs::path file) : path_(std::move(file)) {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   if (H5Pset_fapl_core(access, std::size_t(1) << 22, false) < 0 ||
       H5Pset_file_image(access, image.data(), image.size()) < 0 ||
-      (file_ = H5Fopen(name_in_memory().c_str(), H5F_ACC_RDONLY, access)) < 0)
+      (file_ = H5Fopen(name_of_hdf5_in_memory().c_str(), H5F_ACC_RDONLY, access)) < 0)
     throw damaged("HDF5 cannot open it");
   image = {};  // the library has a copy
 }

@@ -27,6 +27,7 @@ const std::map<std::string, Offer>& vocabulary() {
       {"CHECKPOINT", {{}, {"h5"}, true, ""}},
       {"LIBRARY", {{}, {"so"}, true, ""}},
       {"CSV", {{}, {"csv"}, false, ""}},
+      {"HTML", {{}, {"html"}, false, ""}},
       {"KIND", {{}, {}, false, "KIND"}},
       {"PLUGIN", {{}, {}, false, "KIND/NAME"}},
       {"TOPIC", {{"workflow", "sweep", "calibration"}, {}, false, "KIND/NAME"}},

@@ -57,8 +57,18 @@ std::string unknown_option(const CLI::App& app, int argc, char** argv) {
   return {};
 }
 
+/// What else is wrong with a command, in one line.
+std::string mistake(const CLI::App* app, const CLI::Error& e) {
+  std::string command = "breccia", text = e.what();
+  for (const CLI::App* verb : app->get_subcommands()) command += " " + verb->get_name();
+  if (const std::size_t twice = text.find("At Most 1 required"); twice != text.npos)
+    text = text.substr(0, twice) + "may be given only once";
+  return command + ": " + text + " (`" + command + " --help`)\n";
+}
+
 int dispatch(int argc, char** argv) {
   return cli::with_command_line([&](CLI::App& app, const int& code) {
+    app.failure_message(mistake);
     if (const std::string text = unknown_verb(app, argc, argv); !text.empty()) throw UserError(text);
     try {
       app.parse(argc, argv);

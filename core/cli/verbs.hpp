@@ -36,6 +36,13 @@ struct CompareArguments {
 
 using DriveArguments = DriveRequest;
 
+struct ReportArguments {
+  std::filesystem::path folder, output;  ///< of a run or a study; of the page, empty: report.html in that folder
+  std::vector<std::string> authors;
+  std::string licence;
+  bool overwrite = false;
+};
+
 struct SweepArguments : StudyRequest {
   bool cases = false;  ///< only lists them
 };
@@ -64,6 +71,7 @@ int list(const std::string& kind);
 int describe(const std::string& plugin, const std::string& format);
 int render(const RenderArguments& arguments);
 int compare(const CompareArguments& arguments);
+int report(const ReportArguments& arguments);
 int drive(const DriveArguments& arguments);
 int sweep(const SweepArguments& arguments);
 int calibrate(const CalibrateArguments& arguments);

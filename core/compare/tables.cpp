@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "breccia/shown_unit.hpp"
 #include "breccia/utf8.hpp"
 #include "compare/compare.hpp"
 #include "results/summary_keys.hpp"
@@ -63,7 +64,9 @@ class Row {
     for (const ComparedRun& run : runs)
       for (const Json& v : {value_of(run.summary, key_), reference_of(run, key_)})
         if (v.is_number()) largest = std::max(largest, std::abs(v.get<double>()));
-    choose_prefix(largest);
+    const ShownUnit shown = shown_unit(unit_, largest);
+    unit_ = shown.unit;
+    factor_ = shown.factor;
   }
 
   std::string title() const { return unit_.empty() ? name_ : name_ + " (" + unit_ + ")"; }
@@ -85,14 +88,6 @@ class Row {
   }
 
  private:
-  void choose_prefix(double largest) {
-    if (!(largest > 0) || (unit_ != "Pa" && unit_ != "m" && unit_ != "s" && unit_ != "N" && unit_ != "J")) return;
-    static constexpr const char* prefixes[] = {"n", "µ", "m", "", "k", "M", "G"};
-    const int power = std::clamp(int(std::floor(std::log10(largest) / 3 + 1e-9)), -3, 3);
-    unit_ = prefixes[power + 3] + unit_;
-    factor_ = std::pow(10.0, -3 * power);
-  }
-
   std::string key_, name_, unit_;
   double factor_ = 1;
 };

@@ -66,14 +66,16 @@ std::optional<double> convert(const DecimalText& number, double factor, double o
   throw UserError(in_ticks(unit) + " " + what + "; " + needed(wanted.dimension, si_unit) + " is needed" + hint);
 }
 
+struct Slip {
+  const char *written, *meant, *otherwise;
+};
 /// Prefixes whose case was slipped: units that exist, and that nobody means who writes of rock. Whoever does can say so
 /// in another way.
+constexpr Slip slips[] = {
+    {"mPa", "MPa", "e-3 Pa"}, {"Mm", "mm", "e6 m"}, {"Mm/s", "mm/s", "e6 m/s"}, {"Ms", "ms", "e6 s"}};
+
 void refuse_slip_of_case(std::string_view text, std::string_view number, std::string_view unit) {
-  struct Slip {
-    const char *written, *meant, *otherwise;
-  };
-  for (const Slip& slip : {Slip{"mPa", "MPa", "e-3 Pa"}, Slip{"Mm", "mm", "e6 m"}, Slip{"Mm/s", "mm/s", "e6 m/s"},
-                           Slip{"Ms", "ms", "e6 s"}})
+  for (const Slip& slip : slips)
     if (unit == slip.written) {
       const std::string plain(number);
       const bool has_exponent = plain.find_first_of("eE") != std::string::npos;
@@ -146,6 +148,14 @@ std::string format_quantity(double si, const std::string& si_unit) {
 std::string dimension_name(const std::string& si_unit) {
   const units::Family* family = units::family_of(unit_of_schema(si_unit).dimension);
   return family ? family->name : "a quantity in " + in_ticks(si_unit);
+}
+
+std::string needed_quantity(const std::string& si_unit) { return needed(unit_of_schema(si_unit).dimension, si_unit); }
+
+std::vector<std::string> units_taken_for_slips() {
+  std::vector<std::string> all;
+  for (const Slip& slip : slips) all.emplace_back(slip.written);
+  return all;
 }
 
 std::string usual_unit(const std::string& si_unit) {

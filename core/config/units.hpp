@@ -8,6 +8,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "breccia/error.hpp"
 
@@ -37,6 +38,12 @@ std::string format_quantity(double si, const std::string& si_unit);
 
 /// What a unit measures, with its article: "a pressure", "a length"; "a quantity in `X`" when it has no common name.
 std::string dimension_name(const std::string& si_unit);
+
+/// What to write for it: "a pressure such as Pa, MPa, GPa or psi".
+std::string needed_quantity(const std::string& si_unit);
+
+/// Spellings that exist and are refused, since their prefix is almost surely another one's: "mPa".
+std::vector<std::string> units_taken_for_slips();
 
 /// A unit of that dimension as rock mechanics would write it: "MPa" for "Pa"; `si_unit` itself when none is listed.
 std::string usual_unit(const std::string& si_unit);

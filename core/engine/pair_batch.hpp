@@ -16,6 +16,12 @@ struct CutForce {
   double mx, my, mz;  ///< moment on i; minus this on j [N m]
 };
 
+/// What a law booked as fracture of one pair.
+struct Released {
+  Index pair;
+  double energy;  // [J]
+};
+
 /// Pairs [begin, end) of the state's arrays.
 struct PairBatch {
   static constexpr std::size_t chunk = PairChunk::capacity;
@@ -43,8 +49,9 @@ struct PairBatch {
   const std::uint8_t* apart = nullptr;
   const Index* chunk_cut = nullptr;
   CutForce* cut = nullptr;
-  Dissipated* dissipated = nullptr;     ///< added to: one per chunk and law, those of a chunk side by side
-  std::uint8_t* chunk_broke = nullptr;  ///< one per chunk, set when a bond in it broke
+  Dissipated* dissipated = nullptr;           ///< added to: one per chunk and law, those of a chunk side by side
+  std::uint8_t* chunk_broke = nullptr;        ///< one per chunk, set when a bond in it broke
+  std::vector<Released>* released = nullptr;  ///< appended to; not kept if null
   double time_step = 0;
   const Cell* cell = nullptr;  ///< of a space that repeats itself; null where it does not
   const Mat3* cell_velocity = nullptr;

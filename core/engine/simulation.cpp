@@ -103,6 +103,7 @@ void Simulation::deal_pairs() {
   partition_ = make_partition(state_, incidence_, chunks_, settings_.threads);
   chunk_dissipated_.assign(chunks_.size() * laws_.size(), {});
   chunk_broke_.assign(chunks_.size(), 0);
+  released_.assign(partition_.shares.size(), {});
   if (state_.cell.repeats()) chunk_cell_forces_.resize(chunks_.size());
   if (const auto& guarded = state_.bonds.guarded; !guarded.empty()) {
     guarded_pairs_.assign(state_.pairs.size(), 0);
@@ -207,14 +208,14 @@ void Simulation::forces(bool to_be_viewed) {
       mine.begin = share.first_pair;
       mine.end = share.end_pair;
       mine.first_chunk = share.first_chunk;
+      mine.released = &released_[t];
       clear_forces(s, share);
       if (mine.begin < mine.end) laws_.evaluate(mine);
     }
 #pragma omp single  // the first to be through; at its end the others are, too
     wall_forces(s, loads_);
 #pragma omp for schedule(static, 1)
-    for (std::size_t t = 0; t < shares; ++t)
-      complete_forces(s, partition_.shares[t], partition_, incidence_, loads_);
+    for (std::size_t t = 0; t < shares; ++t) complete_forces(s, partition_.shares[t], partition_, incidence_, loads_);
   }
   record_breaks();
   settle_led();
@@ -231,6 +232,16 @@ void Simulation::fold_cell_forces() {
 
 void Simulation::record_breaks() {
   State& s = state_;
+  for (std::vector<Released>& of_share : released_) {
+    for (const Released& r : of_share) {
+      const Index b = s.pairs.bond[r.pair];
+      if (b == PairsView::no_bond) continue;
+      if (s.bonds.released.empty()) s.bonds.released.assign(s.bonds.size(), 0);
+      s.bonds.released[b] += r.energy;
+      if (s.bonds.crack_of[b] != BondsView::no_crack) s.bonds.cracks[s.bonds.crack_of[b]].energy += r.energy;
+    }
+    of_share.clear();
+  }
   for (std::size_t c = 0; c < chunk_broke_.size(); ++c) {
     if (!chunk_broke_[c]) continue;
     chunk_broke_[c] = 0;
@@ -246,7 +257,8 @@ void Simulation::record_breaks() {
       broken_ += !is_broken(s.bonds.state[b]) && is_broken(s.pairs.state[k]);
       s.bonds.state[b] = s.pairs.state[k];
       const Vec3 normal = branch.normalized();
-      const Crack crack{s.time, s.particles.position()[i] + (s.particles.radius()[i] + half_gap) * normal, normal};
+      const Crack crack{s.time, s.particles.position()[i] + (s.particles.radius()[i] + half_gap) * normal, normal,
+                        s.bonds.released.empty() ? 0 : s.bonds.released[b]};
       Index& row = s.bonds.crack_of[b];
       if (row == BondsView::no_crack) {
         row = Index(s.bonds.cracks.size());

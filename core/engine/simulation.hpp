@@ -128,8 +128,9 @@ class Simulation final : public LoadControl {
   std::vector<double*> columns_;
   std::vector<Dissipated> chunk_dissipated_;  ///< of each chunk, law by law
   std::vector<std::uint8_t> chunk_broke_;
-  std::vector<CellForces> chunk_cell_forces_;  ///< of each chunk; none where space does not repeat itself
-  std::vector<std::uint8_t> guarded_pairs_;    ///< of `bonds.guarded`, for the present pair list
+  std::vector<std::vector<Released>> released_;  ///< in this step, of each share; empty between steps
+  std::vector<CellForces> chunk_cell_forces_;    ///< of each chunk; none where space does not repeat itself
+  std::vector<std::uint8_t> guarded_pairs_;      ///< of `bonds.guarded`, for the present pair list
   ExternalLoads loads_;
   /// A component of a held particle's velocity (0 to 2) or spin (3 to 5) that was changed.
   struct Led {

@@ -41,7 +41,8 @@ void archive_bonds(Archive& archive, Bonds& b, const std::vector<Index>& id, con
   archive("guarded", b.guarded);
   archive("crack_of", b.crack_of);
   archive.records("cracks", b.cracks, std::pair("time", &Crack::time), std::pair("position", &Crack::position),
-                  std::pair("normal", &Crack::normal));
+                  std::pair("normal", &Crack::normal), std::pair("energy", &Crack::energy));
+  archive("released", b.released);
 }
 
 void archive_pairs(Archive& archive, Pairs& q, const std::vector<Index>& id, const std::vector<Index>& row) {

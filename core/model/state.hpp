@@ -93,6 +93,7 @@ struct Bonds {
   std::vector<std::uint8_t> guarded;  ///< 1: must not break; empty when there are none
   std::vector<Index> crack_of;        ///< row in `cracks` or BondsView::no_crack
   std::vector<Crack> cracks;          ///< few bonds break
+  std::vector<double> released;       ///< what each released so far as it broke [J]; empty while none has
   std::size_t size() const { return i.size(); }
 };
 

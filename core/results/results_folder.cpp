@@ -299,6 +299,19 @@ fs::path unfinished_results(const fs::path& folder) {
   return read_manifest(folder / staging_name).valid ? folder / staging_name : fs::path();
 }
 
+std::string kind_of_results(const fs::path& folder) {
+  const Manifest m = read_manifest(folder);
+  return m.valid ? m.kind : "";
+}
+
+std::vector<std::string> listed_results(const fs::path& folder) {
+  std::vector<std::string> there;
+  std::error_code unknown;
+  for (const std::string& file : read_manifest(folder).files)
+    if (fs::exists(folder / file, unknown)) there.push_back(file);
+  return there;
+}
+
 namespace {
 
 std::set<std::string> names_within(const fs::path& folder, const std::vector<fs::path>& files) {

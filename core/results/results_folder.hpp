@@ -97,6 +97,11 @@ void complete_results(const std::filesystem::path& folder, Host& host);
 /// Where results grow within their folder; only if Breccia made it, else empty.
 std::filesystem::path unfinished_results(const std::filesystem::path& folder);
 
+/// What the folder's list says: `run`, `study` or `comparison`; empty without a list.
+std::string kind_of_results(const std::filesystem::path& folder);
+/// Its results, relative to it, in order of the alphabet: those of its list that are there; without a list none.
+std::vector<std::string> listed_results(const std::filesystem::path& folder);
+
 /// UserError if one of the files is there and is not Breccia's, in a folder of results. The caller has the lock.
 void check_additions(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 /// Files that were written into a folder of results belong to these from now on. The caller has the lock.

@@ -8,7 +8,8 @@
 namespace breccia {
 
 bool is_bookkeeping(const std::string& key) {
-  static constexpr const char* all[] = {"threads",
+  static constexpr const char* all[] = {"format",
+                                        "threads",
                                         "steps",
                                         "time_step_s",
                                         "time_step_from",
@@ -49,6 +50,7 @@ std::string readable(std::string name) {
 std::vector<std::pair<std::string, Json>> numbers_below(const Json& object, const std::string& prefix) {
   std::vector<std::pair<std::string, Json>> all;
   for (const auto& [key, value] : object.items()) {
+    if (prefix.empty() && key == "values") continue;  // of a summary: the same numbers
     if (value.is_object()) {
       const auto inner = numbers_below(value, prefix + key + ".");
       all.insert(all.end(), inner.begin(), inner.end());

@@ -12,15 +12,30 @@
 
 namespace breccia {
 
+namespace {
+
+bool is_of_numbers(const Json& value) {
+  return value.is_number() || value.is_null() ||
+         (value.is_array() && !value.empty() && std::all_of(value.begin(), value.end(), is_of_numbers));
+}
+
+}  // namespace
+
+void SummaryTable::put_value(const std::string& name, const std::string& unit, const Json& value) {
+  if (is_of_numbers(value)) values_[name] = {{"value", value}, {"unit", unit}};
+}
+
 void SummaryTable::put(const ResultName& name, Json value) {
   const std::string key = name.key();
   if (name.unit != "1") units_[key] = name.unit;
+  put_value(name.name, name.unit, value);
   json_[key] = std::move(value);
 }
 
 void SummaryTable::set_below(const std::string& owner, const ResultName& name, Json value) {
   const std::string path = name.key();
   if (name.unit != "1") units_[owner + "." + path] = name.unit;
+  put_value(owner + "." + name.name, name.unit, value);
   Json* at = &json_[owner];
   std::size_t begin = 0;
   for (std::size_t dot; (dot = path.find('.', begin)) != path.npos; begin = dot + 1)
@@ -29,8 +44,10 @@ void SummaryTable::set_below(const std::string& owner, const ResultName& name, J
 }
 
 Json SummaryTable::json() const {
-  Json all = json_;
+  Json all{{"format", format}};
+  all.update(json_);
   if (!units_.empty()) all["units"] = units_;
+  all["values"] = values_;
   return all;
 }
 

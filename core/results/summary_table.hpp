@@ -13,6 +13,9 @@ namespace breccia {
 
 class SummaryTable {
  public:
+  /// Of summary.json: another number when what stands in it means something else, not when something is added.
+  static constexpr int format = 1;
+
   /// The view of it that one plugin gets; `owner` names its own section.
   class Section final : public Summary {
    public:
@@ -31,16 +34,18 @@ class SummaryTable {
   /// One of the core's own numbers that is not yet final: may be set again.
   void update(const ResultName& name, Json value) { put(name, std::move(value)); }
   void add(Table table, const std::string& owner);  ///< the same for two tables of one name
-  /// With `units`: the unit of each key that has one, by its dotted name.
+  /// With `format`; `units`: the unit of each key that has one, by its dotted name; and `values`: each number again, by
+  /// its dotted name without the unit, as {value, unit}.
   Json json() const;
   /// summary.json, and for each table tables/<name>.csv with tables/<name>.json, as curves have it, in this folder.
   void write(const std::filesystem::path& folder) const;
 
  private:
   void put(const ResultName& name, Json value);
+  void put_value(const std::string& name, const std::string& unit, const Json& value);
   void set_below(const std::string& owner, const ResultName& name, Json value);
 
-  Json json_ = Json::object(), units_ = Json::object();
+  Json json_ = Json::object(), units_ = Json::object(), values_ = Json::object();
   std::map<std::string, std::string> owner_;
   std::vector<Table> tables_;
 };

@@ -5,6 +5,7 @@
 
 #include <chrono>
 
+#include "archive/curves_file.hpp"
 #include "breccia/contact_law.hpp"
 #include "breccia/output.hpp"
 #include "breccia/postprocessor.hpp"
@@ -25,6 +26,7 @@
 #include "run/checks.hpp"
 #include "run/columns.hpp"
 #include "run/energy_check.hpp"
+#include "run/environment.hpp"
 #include "run/frames.hpp"
 #include "run/listed.hpp"
 #include "run/loading.hpp"
@@ -203,6 +205,7 @@ class Run {
     if (viewable_) attempt([&] { frames_->at(sim.view(), true); });
     attempt([&] { frames_->finish(); });
     curves_.close();
+    if (w_.curves.hdf5) attempt([&] { write_curves_hdf5(options_.folder / "curves.h5", curves_); });
   }
 
   RunParts parts() {
@@ -293,6 +296,7 @@ class Run {
     if (viewable_) finish_plugins(simulation_->view());
     sum_up_packing(summary_, packing_.particles.report);
     summary_.set("reference", w_.reference);
+    summary_.set("environment", environment());
   }
 
   /// Those that have failed have nothing to say.

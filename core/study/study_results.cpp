@@ -126,6 +126,27 @@ std::string SweepTable::csv() const {
   return text;
 }
 
+Json SweepTable::columns() const {
+  Json all = Json::array();
+  const auto add = [&](const std::string& header, const std::string& unit, const char* holds) {
+    const std::string written = ResultName("", unit).key();  // what the header ends in
+    std::string name = header;
+    if (!written.empty() && name.ends_with(written)) name.resize(name.size() - written.size());
+    all.push_back({{"header", header}, {"name", name}, {"unit", unit}, {"holds", holds}});
+  };
+  const auto or_pure = [](const std::string& unit) { return unit.empty() ? "1" : unit; };
+  const std::vector<std::string> inputs = input_headers(sweep_, plan_), known = all_keys();
+  const std::size_t first = inputs.size() - plan_.input_units.size();  // before them: case, folder, workflow
+  for (std::size_t k = first; k < inputs.size(); ++k) add(inputs[k], or_pure(plan_.input_units[k - first]), "input");
+  for (const std::string& key : values_) {  // of one that no case has nothing can be said
+    const std::string unit = said_of(key).unit;
+    add(key, std::find(known.begin(), known.end(), key) == known.end() ? unit : or_pure(unit), "value");
+  }
+  const std::vector<StudyRatio>& ratios = sweep_.study().study.derived;
+  for (std::size_t d = 0; d < ratios.size(); ++d) add(ratios[d].name, or_pure(quotient_unit(d)), "derived");
+  return all;
+}
+
 std::vector<std::string> SweepTable::all_keys() const {
   std::vector<std::string> keys;
   for (const CaseResult& r : results_)
@@ -266,7 +287,8 @@ std::vector<fs::path> write_results(const Sweep& sweep, const SweepPlan& plan, c
   if (error) throw UserError("cannot make the folder " + folder.string() + ": " + error.message());
   write_file(folder / "cases.csv", cases_csv(sweep, plan));
   write_file(folder / "results.csv", table.csv());
-  std::vector<fs::path> made{folder / "cases.csv", folder / "results.csv"};
+  write_file(folder / "results.json", json_text(table.columns(), 1) + "\n");
+  std::vector<fs::path> made{folder / "cases.csv", folder / "results.csv", folder / "results.json"};
   for (const std::string& text : table.warnings()) host.warn(text);
   if (renderer) draw(table, sweep.study().study, *renderer, folder, host, made);
   return made;

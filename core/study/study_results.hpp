@@ -25,6 +25,9 @@ class SweepTable {
   /// One row per case: its inputs, `status`, its values, derived values (the same for all cases of a point), and the
   /// first line of its error.
   std::string csv() const;
+  /// What its columns are, for results.json: header, name, SI unit (empty of values that no
+  /// case has), and what it holds.
+  Json columns() const;
   /// Values that were asked for and that no finished case has.
   std::vector<std::string> warnings() const;
   /// A chart of the points that have both values. UserError when there is none.

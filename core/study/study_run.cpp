@@ -87,7 +87,7 @@ bool gather(const Sweep& sweep, const SweepPlan& plan, ResultsFolder& home, cons
 StudyEnd run_study(const StudyRequest& a, const Sweep& sweep, const SweepPlan& plan, Host& host) {
   const fs::path folder = study_folder(a, sweep);
   // The cases' folders are closed one by one, so that they can also be run by a workflow manager.
-  ResultsFolder home(folder, FolderRules{true, "study", {"cases.csv", "results.csv"}, "cases"}, host);
+  ResultsFolder home(folder, FolderRules{true, "study", {"cases.csv", "results.csv", "results.json"}, "cases"}, host);
   std::map<std::string, std::string> crashes;
   if (!a.collect) {
     const std::vector<const PlannedCase*> open = to_run(plan, home.path(), a.overwrite, host);

@@ -20,6 +20,14 @@ void SamplingConfig::describe(Schema<SamplingConfig>& s) {
           "its peak, so that strength and moduli do not depend on every_steps; 0: no row is added");
 }
 
+void CurvesConfig::describe(Schema<CurvesConfig>& s) {
+  s.param("hdf5", &CurvesConfig::hdf5)
+      .fallback(false)
+      .doc(
+          "write the curves as curves.h5, too, when the run ends: an array each, with its unit and description. "
+          "curves.csv is always there: pictures, comparisons and studies read it");
+}
+
 void CheckpointsConfig::describe(Schema<CheckpointsConfig>& s) {
   s.param("every", &CheckpointsConfig::every)
       .unit("s")

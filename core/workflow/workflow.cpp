@@ -145,6 +145,7 @@ void Workflow::describe(Schema<Workflow>& s) {
   s.param("protocol", &Workflow::protocol).kind("protocol").doc("the test");
   s.param("engine", &Workflow::engine).fallback(defaults).doc("numerical settings");
   s.param("sampling", &Workflow::sampling).fallback(defaults).doc("when curves are measured");
+  s.param("curves", &Workflow::curves).fallback(defaults).doc("files of the curves");
   s.param("checkpoints", &Workflow::checkpoints)
       .fallback(defaults)
       .doc("states of the run from which `breccia run --resume` goes on, with the same results to the last bit");

@@ -41,6 +41,11 @@ struct SamplingConfig {
   static void describe(Schema<SamplingConfig>& s);
 };
 
+struct CurvesConfig {
+  bool hdf5;
+  static void describe(Schema<CurvesConfig>& s);
+};
+
 struct CheckpointsConfig {
   double every;  // [s]
   std::optional<double> every_simulated;
@@ -86,6 +91,7 @@ struct Workflow {
   DampingConfig damping;
   EngineConfig engine;
   SamplingConfig sampling;
+  CurvesConfig curves;
   CheckpointsConfig checkpoints;
   std::optional<BranchConfig> from;
   ChecksConfig checks;

@@ -43,6 +43,10 @@ TEST_F(Cli, RunMakesEveryFileAndTheSummaryHasItsKeys) {
                           "energy_error",
                           "reference"})
     EXPECT_TRUE(s.contains(key)) << key;
+  EXPECT_EQ(s["format"], 1);
+  EXPECT_EQ(s["values"]["peak_stress"], (Json{{"value", s["peak_stress_Pa"]}, {"unit", "Pa"}}));
+  EXPECT_EQ(s["values"]["poisson_ratio"], (Json{{"value", s["poisson_ratio"]}, {"unit", "1"}}));
+  EXPECT_EQ(s["values"]["energy.elastic"], (Json{{"value", s["energy"]["elastic_J"]}, {"unit", "J"}}));
   EXPECT_EQ(s["workflow"], "small");
   EXPECT_EQ(s["particles"], 128);
   EXPECT_GT(s["youngs_modulus_Pa"].get<double>(), 1e9);
@@ -244,6 +248,15 @@ TEST_F(Cli, AMisspeltWordOfTheCommandLineIsNamed) {
   r = call("run x.yaml --outptu=out");
   EXPECT_EQ(r.code, 2);
   EXPECT_NE(r.text.find("unknown option `--outptu`; did you mean `--output`?"), std::string::npos) << r.text;
+}
+
+TEST_F(Cli, WhatElseIsWrongWithACommandIsOneLine) {
+  write_small();
+  EXPECT_EQ(call("run small.yaml --variant a --variant b").text,
+            "breccia run: --variant: may be given only once (`breccia run --help`)\n");
+  const Result r = call("run small.yaml --output");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_EQ(r.text, "breccia run: --output: 1 required FOLDER missing (`breccia run --help`)\n");
 }
 
 TEST_F(Cli, DescribeTakesANameAKindAndSuggests) {

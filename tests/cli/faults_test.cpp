@@ -255,8 +255,14 @@ TEST_F(Faults, DescribeAndTheSchemaKnowTheName) {
   EXPECT_TRUE(has(post.text, "  name  (text; optional)")) << post.text;
   EXPECT_FALSE(has(protocol.text, "  name  (")) << protocol.text;
   const Json schema = Json::parse(call("schema workflow").text);
-  const Json stress = schema["properties"]["postprocessors"]["items"]["allOf"];
-  for (const Json& one : stress) EXPECT_TRUE(one["then"]["properties"].contains("name")) << one.dump();
+  std::size_t count = 0;
+  for (const auto& [name, section] : schema["definitions"].items()) {
+    if (!name.ends_with("_in_list") || !section.contains("additionalProperties")) continue;
+    EXPECT_TRUE(section["properties"].contains("name")) << name;
+    ++count;
+  }
+  EXPECT_GT(count, 10u);
+  EXPECT_FALSE(schema["definitions"]["protocol_brazilian"]["properties"].contains("name"));
 }
 
 }  // namespace

@@ -38,5 +38,22 @@ TEST_F(GraniteWorkflows, GrainsAndCementShareTheLoad) {
   }
 }
 
+// Flush against the platens or standing on single grains: the first splits at more, the second is doubted in words.
+TEST_F(GraniteWorkflows, ADiscAsWideAsItsVesselDoesNotStandOnOneGrain) {
+  const Json flush = run("brazilian_2d");
+  const Result r = call("run '" BRECCIA_SOURCE_DIR
+                        "/workflows/potyondy2004/brazilian_2d.yaml' --output free --threads 1 --variant cut_free "
+                        "--set packing.container.diameter='10 mm' --set packing.overlap_tolerance='15 %' --set "
+                        "protocol.max_displacement='3 %' "
+                        "--set outputs=[] --set renderers=[]");
+  ASSERT_EQ(r.code, 0) << r.text;
+  const Json free = Json::parse(content(folder_ / "free" / "summary.json"));
+  const auto value = [](const Json& s, const char* key) { return s["brazilian"][key].get<double>(); };
+  EXPECT_GE(value(flush, "platen_particles_at_peak"), 3);
+  EXPECT_LE(value(free, "platen_particles_at_peak"), 2);
+  EXPECT_GT(value(flush, "peak_tensile_stress_Pa"), value(free, "peak_tensile_stress_Pa"));
+  EXPECT_NE(r.text.find("split the disc like a wedge"), std::string::npos) << r.text;
+}
+
 }  // namespace
 }  // namespace breccia::testing

@@ -58,4 +58,11 @@ class Program : public ::testing::Test {
   fs::path folder_;
 };
 
+/// A summary less what differs between two processes that did the same.
+inline Json without_the_computers(Json summary) {
+  for (const char* key : {"wall_time_s", "ns_per_bond_step", "threads"}) summary.erase(key);
+  for (const char* name : {"wall_time", "ns_per_bond_step", "threads"}) summary["values"].erase(name);
+  return summary;
+}
+
 }  // namespace breccia::testing

@@ -27,6 +27,16 @@ TEST_F(Sweep, EveryCaseAndWorkflowInOneTidyTable) {
       csv.substr(0, csv.find('\n')),
       "case,folder,workflow,contact_law.stiffness_ratio,status,youngs_modulus_Pa,energy.elastic_bonds_J,poisson_ratio,"
       "modulus_ratio,per_ratio,error");
+  const auto column = [](const char* header, const char* name, const char* unit, const char* holds) {
+    return Json{{"header", header}, {"name", name}, {"unit", unit}, {"holds", holds}};
+  };
+  EXPECT_EQ(Json::parse(content(folder_ / "results/study/results.json")),
+            (Json{column("contact_law.stiffness_ratio", "contact_law.stiffness_ratio", "1", "input"),
+                  column("youngs_modulus_Pa", "youngs_modulus", "Pa", "value"),
+                  column("energy.elastic_bonds_J", "energy.elastic_bonds_J", "", "value"),
+                  column("poisson_ratio", "poisson_ratio", "1", "value"),
+                  column("modulus_ratio", "modulus_ratio", "1", "derived"),
+                  column("per_ratio", "per_ratio", "Pa", "derived")}));
   const Rows rows = results("study");
   ASSERT_EQ(rows.size(), 4u);
   for (const auto& row : rows) {
@@ -233,7 +243,7 @@ class SweepElsewhere : public Sweep {
     ASSERT_EQ(call("sweep study.yaml --output local").code, 1);
   }
   void expect_same(const std::string& folder) const {
-    for (const char* file : {"cases.csv", "results.csv"})
+    for (const char* file : {"cases.csv", "results.csv", "results.json"})
       EXPECT_EQ(content(folder_ / folder / file), content(folder_ / "local" / file)) << file;
   }
 };

@@ -75,6 +75,7 @@ TEST(JsonSchema, SaysWhatEditorsShow) {
   const Json schema = json_schema(fake::root(), fake::Plugins());
   const Json& diameter = schema["properties"]["specimen"]["properties"]["diameter"];
   EXPECT_EQ(diameter["description"], "of the cylinder; a length; above 0 m");
+  EXPECT_EQ(schema["definitions"]["length"]["patternErrorMessage"], "a length such as m, cm or mm is needed");
   EXPECT_EQ(diameter["examples"][0], "23 mm");
   EXPECT_EQ(schema["properties"]["levels"]["default"], Json::parse(R"(["1e6 Pa", "2e6 Pa"])"));
   EXPECT_EQ(schema["$schema"], "http://json-schema.org/draft-07/schema#");

@@ -49,7 +49,7 @@ class Trials:
 
     def environment(self):
         return os.environ | {"PATH": f"{self.program.parent}:{os.environ['PATH']}", "OMP_NUM_THREADS": "2", "LC_ALL": "C.UTF-8",
-                             "CMAKE_PREFIX_PATH": str(self.build), "PYTHONDONTWRITEBYTECODE": "1"}
+                             "CMAKE_PREFIX_PATH": str(self.build), "PYTHONPATH": str(root / "python"), "PYTHONDONTWRITEBYTECODE": "1"}
 
     def call(self, command, folder, seconds=300):
         done = subprocess.run(command, cwd=folder, env=self.environment(), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
@@ -212,7 +212,7 @@ class Trials:
     def python(self, block):
         modules = set(re.findall(r"^\s*(?:import|from) (\w+)", block.text, flags=re.M))
         for python in (sys.executable, "/usr/bin/python3"):
-            found = subprocess.run([python, "-c", "import " + ", ".join(sorted(modules) or ["sys"])], capture_output=True)
+            found = subprocess.run([python, "-c", "import " + ", ".join(sorted(modules) or ["sys"])], env=self.environment(), capture_output=True)
             if found.returncode == 0:
                 self.count("Python")
                 code, said = self.call([python, "-W", "error::SyntaxWarning", "-c", block.text], self.folder(block.page))

@@ -130,6 +130,42 @@ TEST(CollectiveRearrangement, WhatCannotRepeatItselfSaysSo) {
   EXPECT_NE(test::make<Packing>(plugin, round)->why_not(request).find("box"), std::string::npos);
 }
 
+TEST(CollectiveRearrangement, ASpecimenAsWideAsItsVesselLiesFlushAgainstTheSides) {
+  // Packed as the rectangle alone, to the last bit; of that, the discs whose centres lie in the middle's circle.
+  TestHost host;
+  Json config = loose(rectangle);
+  config["porosity"] = 0.16;  // jammed, so that the walls are touched
+  config["overlap_tolerance"] = 0.2;
+  const PackedParticles whole = pack(config, host, 1, 2);
+  config["container"] = {{"shape", "sphere"}, {"diameter", 0.02}};
+  config["vessel"] = {0.02, 0.03};
+  const PackedParticles p = pack(config, host, 1, 2);
+  std::vector<Vec3> expected;
+  for (const Vec3& x : whole.position)
+    if (std::hypot(x.x(), x.y() - 0.015) <= 0.01) expected.push_back(x - Vec3(0, 0.005, 0));
+  ASSERT_EQ(p.position.size(), expected.size());
+  std::size_t sides[2] = {0, 0};
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_LT((p.position[i] - expected[i]).norm(), 1e-15);
+    for (const int side : {0, 1})
+      sides[side] += std::abs(0.01 - (side ? 1 : -1) * p.position[i].x() - p.radius[i]) < 1e-3 * p.radius[i];
+  }
+  EXPECT_GE(sides[0], 3u) << "a disc cut free all round has one";
+  EXPECT_GE(sides[1], 3u);
+  EXPECT_EQ(p.outline, SpecimenShape::Outline::ellipsoid);
+}
+
+TEST(CollectiveRearrangement, AVesselThatIsTooNarrowSaysSo) {
+  Json config = loose(cylinder);
+  config["vessel"] = {0.010, 0.0099, 0.008};
+  const PackingRequest request{{3, 1}, 5};
+  EXPECT_NE(test::make<Packing>(plugin, config)->why_not(request).find("narrower along y"), std::string::npos);
+  config["vessel"] = {0.010, 0.010};
+  EXPECT_NE(test::make<Packing>(plugin, config)->why_not(request).find("three entries"), std::string::npos);
+  config["vessel"] = {0.010, 0.010, 0.008};
+  EXPECT_EQ(test::make<Packing>(plugin, config)->why_not(request), "");
+}
+
 TEST(Rearrangement, LoosePackingsTouchNothingAndStayInside) {
   for (const Case& c : cases) {
     SCOPED_TRACE(c.name);

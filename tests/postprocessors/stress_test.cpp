@@ -52,6 +52,43 @@ TEST(Stress, OfEachParticleAddsUpToTheWhole) {
   for (const double v : p.field(s.view(), "pressure")) EXPECT_NEAR(v, expected, 1e-12 * expected);
 }
 
+/// sum of V_p sigma_p over V is the mean stress of the specimen: what a contact adds to its two particles is its branch
+/// vector (x) force, in pieces. With spheres of several sizes, overlaps and gaps, and forces in any direction.
+TEST(Stress, TensorsOfTheParticlesAddUpToThatOfTheSpecimen) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (const int dimension : {3, 2}) {
+    FakeSimulation s;
+    s.dimension = dimension;
+    s.thickness = 0.3;
+    const auto vector = [&] { return Vec3(u(random), u(random), dimension == 3 ? u(random) : 0); };
+    for (int k = 0; k < 50; ++k) s.add_particle(vector(), 0.1 + 0.05 * u(random));
+    for (Index i = 0; i < 50; ++i)
+      for (Index j = i + 1; j < 50; ++j)
+        if ((s.position[i] - s.position[j]).norm() < 0.6) s.add_bond(i, j, vector());
+    for (Index k = 0; k < 50; k += 3) s.wall_contacts.push_back({k, 0, s.position[k] + 0.1 * vector(), vector()});
+    s.specimen.volume = 2.5;
+    s.specimen.axis = Vec3::UnitY();
+    LoadedPostprocessor p("stress");
+    p.begin(s.view());
+    p.sample(s.view());
+    const std::vector<double> tensor = p.field(s.view(), "stress");
+    ASSERT_EQ(tensor.size(), 6 * s.radius.size());
+    double sum[6] = {}, scale = 0;
+    for (std::size_t k = 0; k < tensor.size(); ++k) {
+      const double share = s.view().solid_volume(s.radius[k / 6]) / s.specimen.volume * tensor[k];
+      sum[k % 6] += share;
+      scale += std::abs(share);
+    }
+    const char* const components[6] = {"stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_yz", "stress_zx"};
+    for (int c = 0; c < 6; ++c)
+      EXPECT_NEAR(sum[c], p.curves.last(components[c]), 1e-13 * scale) << components[c] << " " << dimension;
+    const std::vector<double> pressure = p.field(s.view(), "pressure");
+    for (std::size_t k = 0; k < pressure.size(); ++k)
+      EXPECT_NEAR(pressure[k], -(tensor[6 * k] + tensor[6 * k + 1] + tensor[6 * k + 2]) / dimension, 1e-13 * scale);
+  }
+}
+
 TEST(Stress, FollowsTheAxisOfTheSpecimen) {
   FakeSimulation s = pressed_lattice(3, 1e-3, 5.0);
   s.specimen.axis = Vec3::UnitX();

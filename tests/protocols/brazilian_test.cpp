@@ -39,6 +39,21 @@ TEST(Brazilian, StressFollowsFromLoadAndMeasuredSize) {
   }
 }
 
+// The outermost row of such a disc is a single particle, of so many layers so many.
+TEST(Brazilian, SaysHowManyParticlesCarryThePeak) {
+  for (const int layers : {1, 4}) {
+    const double scale = layers == 1 ? 1000 : 1;
+    ProtocolRun run(
+        disc(11, layers, 1e-3),
+        elastic_brittle(
+            {{"tensile_strength", scale * 2e6}, {"shear_strength", scale * 40e6}, {"bond_modulus", scale * 10e9}}),
+        "elastic_brittle", 1e-6, "brazilian", {{"platen_velocity", 0.05}, {"max_displacement", 0.02}},
+        layers == 1 ? 2 : 3);
+    run.go(400000);
+    EXPECT_EQ(run.summary.at("platen_particles_at_peak").get<double>(), layers);
+  }
+}
+
 TEST(Brazilian, RefusesLoadsAlongTheAxisAndOtherShapes) {
   EXPECT_THROW(ProtocolRun(disc(7, 3, 1e-3), elastic_brittle(), "elastic_brittle", 1e-6, "brazilian",
                            {{"platen_velocity", 0.1}, {"axis", "z"}}),

@@ -76,5 +76,36 @@ TEST(BreakingEnergy, ABondThatBreaksWhileBentAndShearedLosesWhatTheWorkSays) {
   }
 }
 
+/// What each crack says of its energy adds up to the ledger's, however many steps the bonds took to break.
+TEST(BreakingEnergy, OfTheCracksAddsUpToTheLedger) {
+  for (const auto& [law, config] : {std::pair<std::string, Json>{"elastic_brittle", elastic_brittle()},
+                                    {"nonlinear_tension", nonlinear_tension()}}) {
+    EngineSettings settings;
+    settings.threads = 2;
+    Bench b = make_bench(random_block(5, 5, 7, 1e-3, 5), config, 0.15, settings, 3, law);
+    const auto& shape = b->state().specimen;
+    const auto low = b->add_wall({"low", shape.base, Vec3::UnitZ(), 15e6, 5e6, 0.3});
+    const auto high = b->add_wall({"high", shape.base + shape.height * Vec3::UnitZ(), -Vec3::UnitZ(), 15e6, 5e6, 0.3});
+    b->prepare();
+    b->set_wall_velocity(low, 4 * Vec3::UnitZ());
+    b->set_wall_velocity(high, -4 * Vec3::UnitZ());
+    b.steps(600);
+    const SimulationView view = b->view();
+    // A law books what the step in which a bond broke really did: of one that is pushed hard that is now and then a
+    // little below zero.
+    double sum = 0, below_zero = 0;
+    std::size_t with_energy = 0;
+    for (const Crack& c : view.bonds.cracks) {
+      sum += c.energy;
+      below_zero += std::min(c.energy, 0.0);
+      with_energy += c.energy > 0;
+    }
+    EXPECT_GT(below_zero, -0.01 * sum) << law;
+    ASSERT_GT(view.bonds.cracks.size(), 20u) << law;
+    EXPECT_GT(with_energy, view.bonds.cracks.size() / 2) << law;
+    EXPECT_NEAR(sum, view.energy.fracture, 1e-12 * view.energy.fracture) << law;
+  }
+}
+
 }  // namespace
 }  // namespace breccia::testing

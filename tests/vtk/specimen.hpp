@@ -112,7 +112,8 @@ class Specimen {
       crack_of_.push_back(breaks ? Index(cracks_.size()) : BondsView::no_crack);
       if (breaks)
         cracks_.push_back({1e-3 + 6e-4 * chance + 0.02 * std::abs(off),
-                           initial_[i] + d * radius_[i] / (radius_[i] + radius_[j]), d.normalized()});
+                           initial_[i] + d * radius_[i] / (radius_[i] + radius_[j]), d.normalized(),
+                           1e-6 * double(1 + cracks_.size())});
       const bool parted = breaks && k % 3 == 0;
       bond_pair_.push_back(parted ? BondsView::no_pair : Index(pair_i_.size()));
       ++bonds[i];

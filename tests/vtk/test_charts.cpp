@@ -68,7 +68,8 @@ class Charts : public ::testing::Test {
   std::string study(StudyChart chart) {
     chart.file = to_.path() / "study";
     const auto made = make<Renderer>(BRECCIA_PICTURES_PLUGIN, Json{{"size", 400}})->chart(chart, host_);
-    EXPECT_EQ(made, (std::vector<fs::path>{to_.path() / "study.png", to_.path() / "study.svg"}));
+    EXPECT_EQ(made,
+              (std::vector<fs::path>{to_.path() / "study.png", to_.path() / "study.svg", to_.path() / "study.pdf"}));
     EXPECT_GT(drawn(made.at(0)), 0.01);
     return bytes(made.at(1));
   }
@@ -85,7 +86,7 @@ TEST_F(Charts, RunsAreDrawnOverEachOther) {
   run("model 1", 300e6);
   run("a < b & c", 150e6);
   const auto made = compare();
-  ASSERT_EQ(made.size(), 4u);  // two charts: the runs have no columns of bonds broken by mode
+  ASSERT_EQ(made.size(), 6u);  // two charts: the runs have no columns of bonds broken by mode
   EXPECT_EQ(host_.notes.size(), 2u);
   for (const char* file : {"stress_strain.png", "global_damage.png"}) EXPECT_GT(drawn(to_.path() / file), 0.02) << file;
   const std::string svg = bytes(to_.path() / "stress_strain.svg");
@@ -163,7 +164,7 @@ TEST_F(Charts, ALegendWithoutAFreeCornerStandsBelowTheAxes) {
 TEST_F(Charts, ARunWithoutTheColumnIsLeftOutAndNamed) {
   run("whole", 1e8);
   run("half", 1e8, "axial_strain,axial_stress_Pa");
-  EXPECT_EQ(compare().size(), 4u);
+  EXPECT_EQ(compare().size(), 6u);
   ASSERT_EQ(host_.warnings.size(), 1u);
   EXPECT_NE(host_.warnings[0].find("`global_damage` is without `half`"), std::string::npos) << host_.warnings[0];
   EXPECT_EQ(bytes(to_.path() / "global_damage.svg").find(">half<"), std::string::npos);
@@ -184,7 +185,7 @@ TEST_F(Charts, AskedForColumnsMustBeThere) {
 TEST_F(Charts, AHistogramHasABarForEachInterval) {
   table("histogram_pair_minimum_radius_squared",
         "from_m2,to_m2,count,fraction\n1e-7,3e-7,200,0.2\n3e-7,5e-7,500,0.5\n5e-7,7e-7,0,0\n7e-7,9e-7,1300,0.3\n");
-  ASSERT_EQ(render().size(), 2u);
+  ASSERT_EQ(render().size(), 3u);
   EXPECT_GT(drawn(to_.path() / "histogram_pair_minimum_radius_squared.png"), 0.05);
   const std::string svg = bytes(to_.path() / "histogram_pair_minimum_radius_squared.svg");
   for (const char* part : {"pair minimum radius squared rₘ² (mm²)", "fraction (%)", "n = 2\u202f000"})
@@ -207,7 +208,7 @@ TEST_F(Charts, ARoseHasASectorForEachInterval) {
             std::to_string(fractions[k]) + "\n";
   }
   table("rose_yz", text);
-  ASSERT_EQ(render().size(), 2u);
+  ASSERT_EQ(render().size(), 3u);
   EXPECT_GT(drawn(to_.path() / "rose_yz.png"), 0.1);
   const std::string svg = bytes(to_.path() / "rose_yz.svg");
   for (const char* part : {"yz plane", ">0° y<", ">90° z<", ">330°<", "mean 25 %"})
@@ -225,7 +226,7 @@ TEST_F(Charts, OtherTablesAreLeftAloneAndDamagedOnesNamed) {
   table("histogram_good", "from,to,count,fraction\n0,1,1,0.5\n1,2,1,0.5\n");
   table("histogram_torn", "from,to,count,fraction\n0,1,1\n");
   const Json only = {{"size", 300}, {"pictures", {{{"show", "tables"}}}}};
-  EXPECT_EQ(render(only).size(), 2u);
+  EXPECT_EQ(render(only).size(), 3u);
   ASSERT_EQ(host_.warnings.size(), 1u);
   EXPECT_NE(host_.warnings[0].find("histogram_torn.csv, line 2: 3 values for 4 columns"), std::string::npos)
       << host_.warnings[0];
@@ -236,7 +237,7 @@ TEST_F(Charts, ProfilesAreLinesOverTheMiddlesOfTheIntervals) {
   table("by_angle",
         "angle_from_rad,angle_to_rad,contacts,ratio_all,ratio_tensile\n0,0.5235987756,5,0.2,0.1\n"
         "0.5235987756,1.0471975512,7,0.4,0.1\n1.0471975512,1.5707963268,9,0.6,\n");
-  ASSERT_EQ(render().size(), 2u);
+  ASSERT_EQ(render().size(), 3u);
   const std::string svg = bytes(to_.path() / "by_angle.svg");
   for (const char* part : {">all<", ">tensile<", "angle (°)", ">ratio<"})
     EXPECT_NE(svg.find(part), std::string::npos) << part;

@@ -1,71 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGReader.h>
-
 #include <algorithm>
 #include <numeric>
-#include <set>
 #include <sstream>
 
 #include "breccia/output.hpp"
 #include "breccia/renderer.hpp"
-#include "plugin_under_test.hpp"
-#include "specimen.hpp"
+#include "made_scene.hpp"
+#include "png_image.hpp"
 
 namespace breccia::test {
 namespace {
-namespace fs = std::filesystem;
 
-/// A result folder with two frames and curves, written by the output plugin.
+/// A result folder with two frames and curves.
 void write_results(const Specimen& specimen, const fs::path& folder) {
-  QuietHost host;
-  auto output = make<Output>(BRECCIA_VTK_PLUGIN, {});
-  output->begin(folder, host);
-  output->frame(specimen.view(0), specimen.fields());
-  output->frame(specimen.view(3.2e-3), specimen.fields());
-  output->finish();
+  write_frames(specimen, folder);
   std::ofstream(folder / "curves.csv") << made_up_curves();
-}
-
-struct Image {
-  int width = 0, height = 0;
-  std::vector<std::array<unsigned char, 3>> pixel;
-  double drawn() const {  ///< share of pixels that are not background
-    const auto blank = std::count(pixel.begin(), pixel.end(), std::array<unsigned char, 3>{255, 255, 255});
-    return 1 - double(blank) / double(pixel.size());
-  }
-  std::size_t colours() const { return std::set(pixel.begin(), pixel.end()).size(); }
-  /// Share of pixels within a few steps of a colour.
-  double share_of(int r, int g, int b) const {
-    return double(std::count_if(
-               pixel.begin(), pixel.end(),
-               [&](const auto& p) { return std::abs(p[0] - r) + std::abs(p[1] - g) + std::abs(p[2] - b) < 60; })) /
-           double(pixel.size());
-  }
-};
-
-Image read(const fs::path& file) {
-  vtkNew<vtkPNGReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  Image image;
-  int size[3];
-  reader->GetOutput()->GetDimensions(size);
-  image.width = size[0];
-  image.height = size[1];
-  const auto* p = static_cast<const unsigned char*>(reader->GetOutput()->GetScalarPointer());
-  for (int k = 0; k < size[0] * size[1]; ++k, p += 3) image.pixel.push_back({p[0], p[1], p[2]});
-  return image;
-}
-
-std::string bytes(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::vector<fs::path> render(const fs::path& source, const fs::path& to, const Json& given, QuietHost& host) {
-  return make<Renderer>(BRECCIA_PICTURES_PLUGIN, given)->render({source, to}, host);
 }
 
 class PicturesOfARun : public ::testing::Test {
@@ -80,14 +29,6 @@ class PicturesOfARun : public ::testing::Test {
   QuietHost host_;
 };
 
-std::vector<std::string> names(const std::vector<fs::path>& files) {
-  std::vector<std::string> all;
-  for (const fs::path& file : files) all.push_back(file.filename());
-  return all;
-}
-
-using Names = std::vector<std::string>;
-
 const Json all_kinds = [] {
   Json pictures = Json::array();
   for (const char* show : {"specimen", "cutaway", "cracks", "cracks_time", "displacement", "stress_strain", "strains"})
@@ -98,7 +39,7 @@ const Json all_kinds = [] {
 TEST_F(PicturesOfARun, AllKindsAreDrawn) {
   const auto made = render(folder_->path(), to_.path(), {{"size", 400}, {"pictures", all_kinds}}, host_);
   EXPECT_TRUE(host_.warnings.empty()) << host_.warnings[0];
-  ASSERT_EQ(made.size(), 9u);
+  ASSERT_EQ(made.size(), 11u);
   for (const fs::path& file : made) {
     if (file.extension() != ".png") continue;
     const Image image = read(file);
@@ -111,8 +52,8 @@ TEST_F(PicturesOfARun, AllKindsAreDrawn) {
 
 TEST_F(PicturesOfARun, TheUsualOnesAreFew) {
   const auto made = render(folder_->path(), to_.path(), {{"size", 300}}, host_);
-  EXPECT_EQ(names(made),
-            (Names{"specimen.png", "cutaway.png", "cracks.png", "stress_strain.png", "stress_strain.svg"}));
+  EXPECT_EQ(names(made), (Names{"specimen.png", "cutaway.png", "cracks.png", "stress_strain.png", "stress_strain.svg",
+                                "stress_strain.pdf"}));
   EXPECT_TRUE(host_.warnings.empty());
 }
 
@@ -203,7 +144,7 @@ TEST_F(PicturesOfARun, AProblemOfOnePictureDoesNotStopTheOthers) {
                          {{"show", "specimen"}, {"field", "nothing"}, {"name", "a"}},
                          {{"show", "displacement"}, {"frame", 7}, {"name", "b"}},
                          {{"show", "strains"}}}}};
-  EXPECT_EQ(render(folder_->path(), to_.path(), config, host_).size(), 2u);
+  EXPECT_EQ(render(folder_->path(), to_.path(), config, host_).size(), 3u);
   ASSERT_EQ(host_.warnings.size(), 3u);
   EXPECT_NE(host_.warnings[0].find("no column `axial_stres`; did you mean `axial_stress_Pa`?"), std::string::npos)
       << host_.warnings[0];
@@ -243,7 +184,7 @@ TEST(Pictures, TwoDimensions) {
   EXPECT_FALSE(fs::exists(to.path() / "cutaway.png"));
   EXPECT_GT(read(to.path() / "cracks.png").share_of(0, 114, 178), 0.002);
   const auto made = render(from.path(), to.path(), {{"size", 400}, {"pictures", all_kinds}}, host);
-  EXPECT_EQ(made.size(), 8u);  // all but the cutaway
+  EXPECT_EQ(made.size(), 10u);  // all but the cutaway
   ASSERT_EQ(host.warnings.size(), 1u);
   EXPECT_NE(host.warnings[0].find("no inside to show"), std::string::npos);
 }
@@ -258,10 +199,11 @@ TEST(Pictures, ABrazilianTestHasItsLoadCurve) {
   for (int k = 0; k <= 20; ++k)
     out << k << ',' << 1e5 * k << ',' << 150 * k << ',' << 1e-6 * k << ',' << 1e-4 * k << ",0,0," << k << ",0\n";
   out.close();
-  EXPECT_EQ(names(render(from.path(), to.path(), {{"size", 400}}, host)), (Names{"load_curve.png", "load_curve.svg"}));
+  EXPECT_EQ(names(render(from.path(), to.path(), {{"size", 400}}, host)),
+            (Names{"load_curve.png", "load_curve.svg", "load_curve.pdf"}));
   EXPECT_TRUE(host.warnings.empty());
   const std::string svg = bytes(to.path() / "load_curve.svg");
-  for (const char* part : {">load (kN)<", ">platen displacement (µm)<", "peak 3 kN at 20 µm"})
+  for (const char* part : {">load (kN)<", ">platen displacement (µm)<", "highest 3 kN at 20 µm"})
     EXPECT_NE(svg.find(part), std::string::npos) << part;
   // A unit of several letters is not the metre that it ends in.
   const Json moment = {{"size", 300}, {"pictures", {{{"show", "load_curve"}}}}, {"columns", {{"load", "moment"}}}};
@@ -275,7 +217,7 @@ TEST(Pictures, PlatensStandInForMeansThatNobodyMeasured) {
   QuietHost host;
   std::ofstream(from.path() / "curves.csv") << "time_s,platen_stress_Pa,platen_strain\n0,0,0\n1,1e6,1e-4\n2,2e6,2e-4\n";
   EXPECT_EQ(names(render(from.path(), to.path(), {{"size", 300}}, host)),
-            (Names{"stress_strain.png", "stress_strain.svg"}));
+            (Names{"stress_strain.png", "stress_strain.svg", "stress_strain.pdf"}));
   EXPECT_NE(bytes(to.path() / "stress_strain.svg").find(">platen stress σ (MPa)<"), std::string::npos);
 }
 
@@ -316,10 +258,6 @@ TEST_P(Outlines, AreThoseOfTheSpecimen) {
       ++in_column[k % std::size_t(image.width)];
     }
   const double wall = std::accumulate(in_row.begin(), in_row.end(), 0.0);
-  if (expected == 0) {
-    EXPECT_LT(wall, 100);
-    return;
-  }
   const auto ends = [](const std::vector<int>& count) {
     int first = int(count.size()), last = -1;
     for (int k = 0; k < int(count.size()); ++k)
@@ -341,7 +279,6 @@ TEST_P(Outlines, AreThoseOfTheSpecimen) {
 // h, 18 degrees from above, is h wide and h (cos + sin) high, and the corners beside its two ellipses are free.
 INSTANTIATE_TEST_SUITE_P(Shapes, Outlines,
                          ::testing::Values(std::pair{SpecimenShape::Outline::ellipsoid, 0.7854},
-                                           std::pair{SpecimenShape::Outline::irregular, 0.0},
                                            std::pair{SpecimenShape::Outline::cylinder,
                                                      (0.95106 + 0.7854 * 0.30902) / (0.95106 + 0.30902)}));
 
@@ -367,7 +304,7 @@ TEST(PicturesDeathTest, NeedNoOpenGl) {
           QuietHost host;
           made = render(from.path(), to.path(), {{"pictures", all_kinds}}, host).size();
         }
-        std::_Exit(made == 9 ? 0 : 3);
+        std::_Exit(made == 11 ? 0 : 3);
       },
       ::testing::ExitedWithCode(0), "");
 }

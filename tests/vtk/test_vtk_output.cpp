@@ -124,6 +124,100 @@ TEST_F(VtkOutput, BondsComeBackWithTheForcesOfTheirPairs) {
   EXPECT_GT(tension, 0u);  // intact pairs of the specimen pull
 }
 
+TEST_F(VtkOutput, CracksArePointsWithWhatIsKnownOfThem) {
+  begin({{"precision", "double"}})->frame(specimen_.view(0), {});
+  const auto data = read(folder_.path() / "cracks_000000.vtp");
+  const SimulationView view = specimen_.view(0);
+  const BondsView& b = view.bonds;
+  ASSERT_GT(b.cracks.size(), 20u);
+  ASSERT_EQ(data->GetNumberOfPoints(), vtkIdType(b.cracks.size()));
+  ASSERT_EQ(data->GetNumberOfVerts(), vtkIdType(b.cracks.size()));
+  vtkPointData* on = data->GetPointData();
+  for (std::size_t k = 0; k < b.size(); ++k) {
+    if (!b.crack(k)) continue;
+    const Crack& c = *b.crack(k);
+    const vtkIdType n = b.crack_of[k];
+    const auto of = [&](const char* name) { return on->GetArray(name)->GetTuple1(n); };
+    EXPECT_EQ(Vec3(data->GetPoint(n)), c.position);
+    EXPECT_EQ(vector_at(on, "normal", n), c.normal);
+    EXPECT_EQ(of("time"), c.time);
+    EXPECT_EQ(of("energy"), c.energy);
+    EXPECT_EQ(of("mode"), double(b.state[k]));
+    EXPECT_EQ(of("particle_i"), view.particles.id[b.i[k]]);
+    EXPECT_EQ(of("particle_j"), view.particles.id[b.j[k]]);
+    const double r = std::min(view.particles.radius[b.i[k]], view.particles.radius[b.j[k]]);
+    EXPECT_EQ(of("half_length"), r);
+    EXPECT_NEAR(of("area"), M_PI * r * r, 1e-15 * r);
+  }
+  EXPECT_STREQ(on->GetArray("energy")->GetInformation()->Get(vtkDataArray::UNITS_LABEL()), "J");
+  EXPECT_EQ(on->GetArray("material_i"), nullptr) << "there is but one";
+}
+
+TEST_F(VtkOutput, ACrackInThePlaneIsALineAsThickAsTheDiscs) {
+  const Specimen discs(200, 2);
+  SimulationView view = discs.view(0);
+  view.thickness = 0.02;
+  begin({{"precision", "double"}})->frame(view, {});
+  const auto data = read(folder_.path() / "cracks_000000.vtp");
+  ASSERT_GT(data->GetNumberOfPoints(), 0);
+  for (vtkIdType n = 0; n < data->GetNumberOfPoints(); ++n)
+    EXPECT_DOUBLE_EQ(data->GetPointData()->GetArray("area")->GetTuple1(n),
+                     2 * data->GetPointData()->GetArray("half_length")->GetTuple1(n) * 0.02);
+}
+
+TEST_F(VtkOutput, CracksKnowTheirMaterials) {
+  SimulationView view = specimen_.view(0);
+  const std::vector<std::string> names = {"quartz", "mica"};
+  std::vector<std::uint8_t> material(view.particles.size());
+  for (std::size_t k = 0; k < material.size(); ++k) material[k] = k % 3 == 0;
+  view.materials = names;
+  view.particles.material = material;
+  begin()->frame(view, {});
+  const auto data = read(folder_.path() / "cracks_000000.vtp");
+  const BondsView& b = view.bonds;
+  for (std::size_t k = 0; k < b.size(); ++k)
+    if (b.crack(k)) {
+      EXPECT_EQ(data->GetPointData()->GetArray("material_i")->GetTuple1(b.crack_of[k]), material[b.i[k]]);
+      EXPECT_EQ(data->GetPointData()->GetArray("material_j")->GetTuple1(b.crack_of[k]), material[b.j[k]]);
+    }
+  const auto* kept = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("material_names"));
+  ASSERT_NE(kept, nullptr);
+  EXPECT_EQ(kept->GetNumberOfValues(), 2);
+}
+
+TEST_F(VtkOutput, WholeNumbersAreIntegersAndTensorsNameTheirComponents) {
+  const std::size_t n = 400;
+  std::vector<double> few(n), many(n), tensor(6 * n);
+  for (std::size_t k = 0; k < n; ++k) {
+    few[k] = double(k % 13);
+    many[k] = 1e10 + double(k);
+  }
+  for (std::size_t k = 0; k < 6 * n; ++k) tensor[k] = double(k);
+  const Field fields[] = {{Field::On::particles, "fragment_id", "1", 1, few, true},
+                          {Field::On::particles, "many", "1", 1, many, true},
+                          {Field::On::particles, "stress", "Pa", 6, tensor}};
+  begin()->frame(specimen_.view(0), fields);
+  const auto data = read(folder_.path() / "particles_000000.vtp");
+  vtkPointData* on = data->GetPointData();
+  EXPECT_EQ(on->GetArray("fragment_id")->GetDataTypeSize(), 4);
+  EXPECT_EQ(on->GetArray("fragment_id")->GetDataType(), VTK_INT);
+  EXPECT_EQ(on->GetArray("many")->GetDataTypeSize(), 8);
+  EXPECT_FALSE(on->GetArray("many")->GetDataType() == VTK_DOUBLE);
+  for (std::size_t k = 0; k < n; ++k) {
+    EXPECT_EQ(on->GetArray("fragment_id")->GetTuple1(vtkIdType(k)), few[k]);
+    EXPECT_EQ(on->GetArray("many")->GetTuple1(vtkIdType(k)), many[k]);
+  }
+  ASSERT_EQ(on->GetArray("stress")->GetNumberOfComponents(), 6);
+  EXPECT_STREQ(on->GetArray("stress")->GetComponentName(0), "xx");
+  EXPECT_STREQ(on->GetArray("stress")->GetComponentName(5), "xz");
+  few[3] = 0.5;
+  const Field half{Field::On::particles, "fragment_id", "1", 1, few, true};
+  EXPECT_NE(user_error([&] {
+              begin()->frame(specimen_.view(0), {&half, 1});
+            }).find("field `fragment_id` is said to hold whole numbers, and holds 0.5"),
+            std::string::npos);
+}
+
 TEST_F(VtkOutput, WallsAreSquaresInTheirPlanes) {
   begin()->frame(specimen_.view(0), {});
   const auto data = read(folder_.path() / "walls_000000.vtp");

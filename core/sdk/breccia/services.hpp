@@ -88,8 +88,9 @@ struct Field {
   enum class On { particles, bonds };
   On on = On::particles;
   std::string name, unit;
-  int components = 1;
+  int components = 1;          ///< 3: a vector, x y z; 6: a symmetric tensor, xx yy zz xy yz xz as VTK has it
   std::vector<double> values;  ///< components per particle (or bond), interleaved
+  bool whole = false;          ///< counts and numbers of things: files hold them as integers
 };
 
 }  // namespace breccia

@@ -67,9 +67,11 @@ struct PairsView {
 
 /// Where and when a bond broke.
 struct Crack {
-  double time;    // [s]
-  Vec3 position;  ///< contact point [m]
-  Vec3 normal;    ///< unit vector i to j
+  double time;        // [s]
+  Vec3 position;      ///< contact point [m]
+  Vec3 normal;        ///< unit vector i to j
+  double energy = 0;  ///< that the bond released as it broke, in one step or bit by bit: its part of the ledger's
+                      ///< `fracture` [J]
 };
 
 /// Every bond made at the start, whatever became of it.

@@ -1,125 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "poly_data.hpp"
 
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkFloatArray.h>
-#include <vtkInformation.h>
-#include <vtkInformationStringKey.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkStringArray.h>
-#include <vtkTypeInt32Array.h>
-#include <vtkTypeUInt8Array.h>
-
 #include <limits>
 
+#include "arrays.hpp"
+
 namespace breccia::vtk_output {
-namespace {
-
-/// Adds `array` under a name that must be free; the unit travels in VTK's own UNITS_LABEL key.
-void attach(vtkFieldData* data, vtkAbstractArray* array, const std::string& name, const std::string& unit) {
-  if (data->HasArray(name.c_str()))
-    throw UserError("output vtk: two fields are named `" + name + "`; rename the one that a post-processor makes");
-  array->SetName(name.c_str());
-  if (!unit.empty()) array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), unit.c_str());
-  data->AddArray(array);
-}
-
-/// One array of a data set: `get(k)` gives a number or a Vec3.
-template <class Array, class Get>
-void add(vtkFieldData* data, const char* name, const char* unit, std::size_t size, Get&& get) {
-  constexpr int components = std::is_convertible_v<decltype(get(0)), Vec3> ? 3 : 1;
-  vtkNew<Array> array;
-  using Value = typename Array::ValueType;
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(vtkIdType(size));
-  Value* to = array->GetPointer(0);
-  for (std::size_t k = 0; k < size; ++k) {
-    if constexpr (components == 3) {
-      const Vec3 v = get(k);
-      for (int c = 0; c < 3; ++c) *to++ = Value(v[c]);
-    } else {
-      *to++ = Value(get(k));
-    }
-  }
-  attach(data, array, name, unit);
-}
-
-template <class Get>
-void add_real(vtkFieldData* data, Precision precision, const char* name, const char* unit, std::size_t size,
-              Get&& get) {
-  if (precision == Precision::single_precision) add<vtkFloatArray>(data, name, unit, size, get);
-  else add<vtkDoubleArray>(data, name, unit, size, get);
-}
-
-template <class Array>
-void add_field(vtkFieldData* data, const Field& field) {
-  vtkNew<Array> array;
-  using Value = typename Array::ValueType;
-  array->SetNumberOfComponents(field.components);
-  array->SetNumberOfTuples(vtkIdType(field.values.size()) / field.components);
-  Value* to = array->GetPointer(0);
-  for (const double v : field.values) *to++ = Value(v);
-  attach(data, array, field.name, field.unit);
-}
-
-void add_fields(vtkFieldData* data, std::span<const Field> fields, Field::On on, std::size_t size,
-                Precision precision) {
-  for (const Field& f : fields) {
-    if (f.on != on) continue;
-    if (f.components < 1 || f.values.size() != size * std::size_t(f.components))
-      throw UserError("output vtk: field `" + f.name + "` has " + std::to_string(f.values.size()) + " values, where " +
-                      std::to_string(size) + (on == Field::On::particles ? " particles" : " bonds") + " with " +
-                      std::to_string(f.components) + " components each are written: mend the plugin that makes it");
-    if (precision == Precision::single_precision) add_field<vtkFloatArray>(data, f);
-    else add_field<vtkDoubleArray>(data, f);
-  }
-}
-
-vtkSmartPointer<vtkPoints> points_of(Strided<const Vec3> positions) {
-  static_assert(sizeof(Vec3) == 3 * sizeof(double));
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(vtkIdType(positions.size()));
-  for (std::size_t p = 0; p < positions.size(); ++p) points->SetPoint(vtkIdType(p), positions[p].data());
-  return points;
-}
-
-/// Cells of equal size over the given point numbers, stored in 32 bits.
-template <class Point>
-vtkSmartPointer<vtkCellArray> cells_of(std::size_t cells, int points_per_cell, Point&& point) {
-  vtkNew<vtkTypeInt32Array> offsets, connectivity;
-  offsets->SetNumberOfValues(vtkIdType(cells) + 1);
-  connectivity->SetNumberOfValues(vtkIdType(cells) * points_per_cell);
-  for (std::size_t c = 0; c <= cells; ++c) offsets->SetValue(vtkIdType(c), int(c) * points_per_cell);
-  for (std::size_t c = 0; c < cells; ++c)
-    for (int k = 0; k < points_per_cell; ++k)
-      connectivity->SetValue(vtkIdType(c) * points_per_cell + k, int(point(c, k)));
-  auto array = vtkSmartPointer<vtkCellArray>::New();
-  array->SetData(offsets, connectivity);
-  return array;
-}
-
-/// What holds for the whole frame: its time and the specimen as it was when loading began.
-void add_frame_facts(vtkPolyData* data, const SimulationView& view) {
-  vtkFieldData* facts = data->GetFieldData();
-  add<vtkDoubleArray>(facts, "TimeValue", "s", 1, [&](std::size_t) { return view.time; });
-  add<vtkTypeInt32Array>(facts, "dimension", "", 1, [&](std::size_t) { return view.dimension; });
-  if (!(view.specimen.height > 0)) return;
-  add<vtkDoubleArray>(facts, "specimen_base", "m", 1, [&](std::size_t) { return view.specimen.base; });
-  add<vtkDoubleArray>(facts, "specimen_axis", "1", 1, [&](std::size_t) { return view.specimen.axis; });
-  add<vtkDoubleArray>(facts, "specimen_extent", "m", 1, [&](std::size_t) { return view.specimen.extent; });
-  add<vtkDoubleArray>(facts, "specimen_height", "m", 1, [&](std::size_t) { return view.specimen.height; });
-  vtkNew<vtkStringArray> outline;
-  constexpr const char* outlines[] = {"cylinder", "box", "ellipsoid", "irregular"};
-  outline->InsertNextValue(outlines[int(view.specimen.outline)]);
-  attach(facts, outline, "specimen_outline", "");
-}
-
-}  // namespace
 
 Bounds bounds_of(const ParticlesView& particles) {
   if (particles.size() == 0) return {};
@@ -149,11 +35,18 @@ vtkSmartPointer<vtkPolyData> particle_data(const SimulationView& view, std::span
   add_real(on, precision, "velocity", "m/s", n, [&](std::size_t k) { return p.velocity[k]; });
   add_real(on, precision, "angular_velocity", "rad/s", n, [&](std::size_t k) { return p.angular_velocity[k]; });
   add_real(on, precision, "force", "N", n, [&](std::size_t k) { return p.force[k]; });
+  // What a protocol does to single particles, where it does. In two dimensions the plane holds all of them.
+  const auto held = [&](std::size_t k) {
+    return std::uint8_t(p.held[k] & (view.dimension == 2 ? dof::all & ~dof::out_of_plane : dof::all));
+  };
+  std::size_t any = 0;
+  for (std::size_t k = 0; k < p.held.size(); ++k) any += held(k) != 0;
+  if (any > 0) add<vtkTypeUInt8Array>(on, "held", "", n, held);
+  if (!p.applied_force.empty())
+    add_real(on, precision, "applied_force", "N", n, [&](std::size_t k) { return p.applied_force[k]; });
   if (!p.material.empty()) {
     add<vtkTypeInt32Array>(on, "material", "", n, [&](std::size_t k) { return p.material[k]; });
-    vtkNew<vtkStringArray> names;
-    for (const std::string& name : view.materials) names->InsertNextValue(name);
-    attach(data->GetFieldData(), names, "material_names", "");
+    add_material_names(data, view);
   }
   add_fields(on, fields, Field::On::particles, n, precision);
   add_frame_facts(data, view);

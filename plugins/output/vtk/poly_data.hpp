@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Views of the simulation as VTK poly data: particles as vertices, bonds as lines, walls as quads.
+/// Views of the simulation as VTK poly data: particles and cracks as vertices, bonds as lines, walls as
+/// quads.
 #pragma once
 
 #include <vtkPolyData.h>
@@ -27,6 +28,8 @@ Bounds bounds_of(const ParticlesView& particles);
 vtkSmartPointer<vtkPolyData> particle_data(const SimulationView& view, std::span<const Field> fields,
                                            Precision precision);
 vtkSmartPointer<vtkPolyData> bond_data(const SimulationView& view, std::span<const Field> fields, Precision precision);
+/// What broke so far, each crack as the point between the two particles: in the order in which they came.
+vtkSmartPointer<vtkPolyData> crack_data(const SimulationView& view, Precision precision);
 /// Each wall as a square a little larger than `specimen`.
 vtkSmartPointer<vtkPolyData> wall_data(const SimulationView& view, const Bounds& specimen);
 

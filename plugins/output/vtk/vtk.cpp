@@ -2,6 +2,7 @@
 /// Frames for ParaView and every other reader of VTK's XML formats.
 #include <optional>
 
+#include "../../shared/frame_interval.hpp"
 #include "breccia/output.hpp"
 #include "poly_data.hpp"
 #include "series.hpp"
@@ -13,29 +14,27 @@ class VtkOutput final : public Output {
   struct Config {
     double interval;
     vtk_output::Precision precision;
-    bool bonds, walls;
+    bool bonds, cracks, walls;
   };
 
   static void describe(Schema<Config>& s) {
-    s.summary("Particles, bonds and walls as VTK files (.vtp) with time series (.pvd) for ParaView")
+    s.summary("Particles, bonds, cracks and walls as VTK files (.vtp) with time series (.pvd) for ParaView")
         .details(
-            "Writes `particles_NNNNNN.vtp`, `bonds_NNNNNN.vtp` and `walls_NNNNNN.vtp` with `particles.pvd`, "
-            "`bonds.pvd` "
-            "and `walls.pvd`. The README of the plugin lists the arrays. Each array's unit is its `UNITS_LABEL` "
+            "Writes `particles_NNNNNN.vtp`, `bonds_NNNNNN.vtp`, `cracks_NNNNNN.vtp` and `walls_NNNNNN.vtp` with "
+            "`particles.pvd`, `bonds.pvd`, `cracks.pvd` and `walls.pvd`. The README of the plugin lists the arrays. "
+            "Each array's unit is its `UNITS_LABEL` "
             "information key; all are SI.")
         .source("VTK file formats, version 9.1 (inline binary, LZ4)");
-    s.param("interval", &Config::interval)
-        .unit("s")
-        .above(0)
-        .fallback(1e-4)
-        .example("0.1 ms")
-        .doc("time between frames; the first and the last state are always written");
+    frame_interval(s, &Config::interval);
     s.param("precision", &Config::precision)
         .choice("single", vtk_output::Precision::single_precision, "32 bits")
         .choice("double", vtk_output::Precision::double_precision, "64 bits: files about twice as large")
         .doc("of the fields; centres and radii are always written in 64 bits")
         .fallback("single");
     s.param("bonds", &Config::bonds).fallback(true).doc("write the bonds; pictures of cracks need them");
+    s.param("cracks", &Config::cracks)
+        .fallback(true)
+        .doc("write what broke so far, a point for each crack, where there are bonds");
     s.param("walls", &Config::walls).fallback(true).doc("write the walls");
   }
 
@@ -47,6 +46,7 @@ class VtkOutput final : public Output {
     if (error) throw UserError("output vtk: cannot make the folder " + directory.string() + ": " + error.message());
     particles_.emplace(directory, "particles");
     bonds_.emplace(directory, "bonds");
+    cracks_.emplace(directory, "cracks");
     walls_.emplace(directory, "walls");
     specimen_.reset();
   }
@@ -57,6 +57,8 @@ class VtkOutput final : public Output {
     if (!specimen_) specimen_ = vtk_output::bounds_of(view.particles);
     particles_->append(vtk_output::particle_data(view, fields, config_.precision), view.time);
     if (config_.bonds) bonds_->append(vtk_output::bond_data(view, fields, config_.precision), view.time);
+    if (config_.cracks && view.bonds.size() > 0)
+      cracks_->append(vtk_output::crack_data(view, config_.precision), view.time);
     if (config_.walls && !view.walls.empty()) walls_->append(vtk_output::wall_data(view, *specimen_), view.time);
   }
 
@@ -64,6 +66,7 @@ class VtkOutput final : public Output {
   bool archive(Archive& archive) override {
     archive("particles", *particles_);
     archive("bonds", *bonds_);
+    archive("cracks", *cracks_);
     archive("walls", *walls_);
     archive("specimen", specimen_);
     return true;
@@ -71,7 +74,7 @@ class VtkOutput final : public Output {
 
  private:
   Config config_;
-  std::optional<vtk_output::Series> particles_, bonds_, walls_;
+  std::optional<vtk_output::Series> particles_, bonds_, cracks_, walls_;
   std::optional<vtk_output::Bounds> specimen_;
 };
 

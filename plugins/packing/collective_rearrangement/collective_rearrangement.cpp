@@ -7,6 +7,7 @@
 #include "cut.hpp"
 #include "mesh_region.hpp"
 #include "report.hpp"
+#include "vessel.hpp"
 
 namespace breccia::collective_rearrangement {
 
@@ -74,14 +75,21 @@ class CollectiveRearrangement final : public Packing {
     s.param("margin", &Config::margin)
         .unit("m")
         .at_least(0)
-        .fallback(0.0)
         .example("2 mm")
-        .doc("pack a space larger by this all round, and cut the specimen out of it");
+        .doc("pack a space larger by this all round, and cut the specimen out of it; if absent nothing is cut");
     s.param("flat_ends", &Config::flat_ends)
         .fallback(true)
         .doc(
             "with a margin: leave the ends of a cylinder or box where they are, so that platens find spheres that "
             "touch them");
+    s.param("vessel", &Config::vessel)
+        .unit("m")
+        .items(2, 3)
+        .example("[31.7 mm, 63.4 mm]")
+        .doc(
+            "instead of a margin: pack a box of this size along x, y, z and cut the container out of its middle. Where "
+            "the two are equally wide, the particles lie flush against what may become a platen")
+        .source("Potyondy & Cundall (2004), Int. J. Rock Mech. Min. Sci. 41, 1329-1364");
     s.param("overlap_tolerance", &Config::overlap_tolerance)
         .at_least(1e-6)
         .at_most(0.5)
@@ -99,6 +107,8 @@ class CollectiveRearrangement final : public Packing {
         .doc("ends when fifty steps lower the energy by less than this share");
     s.exactly_one_of({"container", "mesh"});
     s.exactly_one_of({"particles", "porosity"});
+    // The porosity is that of the vessel; how many particles of it the specimen gets is known when it is cut out.
+    s.at_most_one_of({"vessel", "margin"}).at_most_one_of({"vessel", "mesh"}).at_most_one_of({"vessel", "particles"});
     s.check([](const Config& c, Issues& issues) { check_fit(c.container, c.radius, issues); });
   }
 
@@ -110,12 +120,15 @@ class CollectiveRearrangement final : public Packing {
   }
 
   std::string why_not(const PackingRequest& request) const override {
-    if (request.repeats() && (config_.mesh || config_.margin > 0))
+    if (request.repeats() && (config_.mesh || margin() > 0 || config_.vessel))
       return std::string("where space repeats itself (`periodic`) ") +
-             (config_.mesh ? "a mesh cannot be filled: use a box"
-                           : "there is no boundary to keep off: leave `margin` out");
-    if (!config_.mesh) return why_not_in(*config_.container, request);
-    return request.dimension == 2 ? "a mesh cannot be packed in two dimensions: use a container" : "";
+             (config_.mesh     ? "a mesh cannot be filled: use a box"
+              : config_.vessel ? "nothing is cut out of a vessel: leave `vessel` out"
+                               : "there is no boundary to keep off: leave `margin` out");
+    if (config_.mesh) return request.dimension == 2 ? "a mesh cannot be packed in two dimensions: use a container" : "";
+    const std::string why = why_not_in(*config_.container, request);
+    return why.empty() && config_.vessel ? why_not_out_of(*config_.vessel, config_.container->make(request.dimension))
+                                         : why;
   }
 
   bool can_repeat() const override { return true; }
@@ -132,15 +145,24 @@ class CollectiveRearrangement final : public Packing {
     const std::size_t wanted = config_.particles ? std::size_t(*config_.particles)
                                                  : number_for(*config_.porosity, law, region->measure(), dimension);
     const bool ends = !config_.flat_ends;
-    const std::unique_ptr<Region> larger = config_.margin > 0 ? region->grown(config_.margin, ends) : nullptr;
+    const std::unique_ptr<Region> larger = config_.vessel ? vessel(dimension)
+                                           : margin() > 0 ? region->grown(margin(), ends)
+                                                          : nullptr;
     const Region& space = larger ? *larger : *region;
-    auto packed_number = std::size_t(std::llround(double(wanted) * space.measure() / region->measure()));
+    auto packed_number = config_.vessel
+                             ? number_for(*config_.porosity, law, space.measure(), dimension)
+                             : std::size_t(std::llround(double(wanted) * space.measure() / region->measure()));
     Outcome outcome;
     Cut cut;
     for (int attempt = 1;; ++attempt) {
       cut.spheres = rearrange(space, within, quantile_radii(law, packed_number), request.seed, host, outcome);
       if (!larger) break;
-      cut = cut_out(cut.spheres, *region, config_.margin, ends, dimension, wanted,
+      if (config_.vessel) {
+        const Vec3 place = place_in(vessel_box(*config_.vessel, dimension), config_.container->make(dimension));
+        cut.spheres = cut_at(cut.spheres, *region, place);
+        break;
+      }
+      cut = cut_out(cut.spheres, *region, margin(), ends, dimension, wanted,
                     solid_measure(quantile_radii(law, wanted), dimension), request.seed);
       if (cut.spheres.size() == wanted || attempt == most_attempts || cut.mean_number == 0) break;
       // Along its walls the larger packing is looser than inside: there it has more than its share.
@@ -210,10 +232,16 @@ class CollectiveRearrangement final : public Packing {
     return read_mesh(*config_.mesh, threads);
   }
 
+  double margin() const { return config_.margin.value_or(0); }
+
+  std::unique_ptr<Region> vessel(int dimension) const {
+    return std::make_unique<ContainerRegion>(vessel_box(*config_.vessel, dimension));
+  }
+
   std::vector<AskedGot> report(const Quality& q, const RadiusLaw& law, std::size_t wanted, std::size_t got,
                                std::size_t packed, const Outcome& outcome) const {
     std::vector<AskedGot> lines = {
-        {"particles", "1", double(wanted), double(got)},
+        {"particles", "1", config_.vessel ? std::nullopt : std::optional<double>(double(wanted)), double(got)},
         {"porosity", "1", config_.porosity, q.porosity},
         {"radius_mean", "m", law.mean, q.radius_mean},
         {"radius_standard_deviation", "m", law.standard_deviation, q.radius_deviation},
@@ -227,7 +255,8 @@ class CollectiveRearrangement final : public Packing {
         {"fabric_zz", "1", std::nullopt, q.fabric.z()},
         {"iterations", "1", std::nullopt, double(outcome.iterations)},
     };
-    if (config_.margin > 0) lines.push_back({"particles_before_cutting", "1", std::nullopt, double(packed)});
+    if (margin() > 0 || config_.vessel)
+      lines.push_back({"particles_before_cutting", "1", std::nullopt, double(packed)});
     return lines;
   }
 

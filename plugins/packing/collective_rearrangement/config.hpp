@@ -14,7 +14,8 @@ struct Config {
   RadiusConfig radius;
   std::optional<long> particles;
   std::optional<double> porosity, neighbours_per_particle;
-  double margin = 0;  // [m]
+  std::optional<double> margin;               // [m]
+  std::optional<std::vector<double>> vessel;  // [m]
   bool flat_ends = true;
   double overlap_tolerance = 0, tolerance = 0;
   long max_iterations = 0;

@@ -19,6 +19,15 @@ std::vector<std::size_t> inside(const Spheres& all, const std::vector<double>& d
     if (depth[i] > moved || (depth[i] >= -moved && region.depth(all.x[i] - place) >= 0)) kept.push_back(i);
   return kept;
 }
+
+Spheres taken(const Spheres& all, const std::vector<std::size_t>& kept, const Vec3& place) {
+  Spheres s;
+  for (const std::size_t i : kept) {
+    s.x.push_back(all.x[i] - place);
+    s.r.push_back(all.r[i]);
+  }
+  return s;
+}
 }  // namespace
 
 Cut cut_out(const Spheres& all, const Region& region, double margin, bool ends, int dimension, std::size_t wanted,
@@ -39,11 +48,7 @@ Cut cut_out(const Spheres& all, const Region& region, double margin, bool ends, 
     mean_number += double(kept.size()) / places;
     const std::size_t miss = kept.size() > wanted ? kept.size() - wanted : wanted - kept.size();
     if (miss > best_miss) continue;
-    Spheres s;
-    for (const std::size_t i : kept) {
-      s.x.push_back(all.x[i] - place);
-      s.r.push_back(all.r[i]);
-    }
+    Spheres s = taken(all, kept, place);
     const double solid = std::abs(solid_measure(s.r, dimension) - wanted_solid);
     if (miss == best_miss && solid >= best_solid) continue;
     best.spheres = std::move(s);
@@ -52,6 +57,13 @@ Cut cut_out(const Spheres& all, const Region& region, double margin, bool ends, 
   }
   best.mean_number = mean_number;
   return best;
+}
+
+Spheres cut_at(const Spheres& all, const Region& region, const Vec3& place) {
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (region.depth(all.x[i] - place) >= 0) kept.push_back(i);
+  return taken(all, kept, place);
 }
 
 }  // namespace breccia::collective_rearrangement

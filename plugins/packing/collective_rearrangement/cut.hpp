@@ -18,4 +18,7 @@ struct Cut {
 Cut cut_out(const Spheres& all, const Region& region, double margin, bool ends, int dimension, std::size_t wanted,
             double wanted_solid, std::uint64_t seed);
 
+/// The spheres whose centres lie in `region` moved to `place` [m], in the coordinates of the region.
+Spheres cut_at(const Spheres& all, const Region& region, const Vec3& place);
+
 }  // namespace breccia::collective_rearrangement

@@ -89,7 +89,8 @@ class Damage final : public Postprocessor {
       coordination.values.push_back(intact[p] + touching[p]);
     }
     fields.push_back(std::move(damage));
-    fields.push_back({Field::On::particles, "fragment_id", "1", 1, {found_.of.begin(), found_.of.end()}});
+    fields.push_back({Field::On::particles, "fragment_id", "1", 1, {found_.of.begin(), found_.of.end()}, true});
+    coordination.whole = true;
     fields.push_back(std::move(coordination));
   }
 

@@ -75,13 +75,16 @@ class Stress final : public Postprocessor {
   void fields(const SimulationView& view, std::vector<Field>& fields) override {
     Field p{Field::On::particles, "pressure", "Pa", 1, {}};
     Field q{Field::On::particles, "deviatoric_stress", "Pa", 1, {}};
+    Field tensor{Field::On::particles, "stress", "Pa", 6, {}};
     const std::vector<Mat3> stress = of_particles(view);
     for (const Mat3& s : stress) {
       p.values.push_back(pressure(s, view.dimension));
       q.values.push_back(equivalent(s, view.dimension));
+      for (const double c : {s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2)}) tensor.values.push_back(c);
     }
     fields.push_back(std::move(p));
     fields.push_back(std::move(q));
+    fields.push_back(std::move(tensor));
   }
 
   void finish(const SimulationView& view, const Curves& curves, Summary& summary) override {

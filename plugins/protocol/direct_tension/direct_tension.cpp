@@ -30,7 +30,9 @@ class DirectTension final : public Protocol {
             "Curves have the signs and names of a compression test, so both come out negative: `platen_stress` (load "
             "over the measured "
             "cross-section), `platen_strain`, `platen_imbalance` (difference of the ends' loads over their mean), "
-            "`unbalanced_force_ratio` (of the particles that are not held).");
+            "`unbalanced_force_ratio` (of the particles that are not held). `load` and `platen_displacement` are "
+            "positive "
+            "in tension.");
     describe_loading_axis(s);
     s.param("plate_velocity", &Config::plate_velocity)
         .unit("m/s")
@@ -111,6 +113,8 @@ class DirectTension final : public Protocol {
         recorder.add({"platen_stress", "Pa", "mean load of both ends over the cross-section; compression positive"});
     strain_ =
         recorder.add({"platen_strain", "1", "displacement of the plates over the free length; compression positive"});
+    load_ = recorder.add({"load", "N", "what the plates pull with, mean of both ends; tension positive"});
+    displacement_ = recorder.add({"platen_displacement", "m", "by which the plates have moved apart"});
     imbalance_ = recorder.add({"platen_imbalance", "1", "difference of the ends' loads over their mean"});
     unbalanced_ = recorder.add(
         {"unbalanced_force_ratio", "1", "mean resultant on a particle that is not held over mean contact force"});
@@ -158,6 +162,8 @@ class DirectTension final : public Protocol {
   void sample(const SimulationView& view, Recorder& recorder) const override {
     recorder.set(stress_, -s_.stress);
     recorder.set(strain_, -s_.strain);
+    recorder.set(load_, s_.stress * shape_.cross_section_area);
+    recorder.set(displacement_, s_.strain * free_length_);
     recorder.set(imbalance_, s_.imbalance);
     recorder.set(unbalanced_, unbalanced_force_ratio(view, held_));
   }
@@ -259,7 +265,7 @@ class DirectTension final : public Protocol {
   std::vector<std::uint8_t> held_;
   std::vector<double> arm_;  // along the axis, from the centre to the end face [m]
   std::size_t protected_ = 0;
-  std::size_t stress_ = 0, strain_ = 0, imbalance_ = 0, unbalanced_ = 0;
+  std::size_t stress_ = 0, strain_ = 0, load_ = 0, displacement_ = 0, imbalance_ = 0, unbalanced_ = 0;
   Running s_;
 };
 

@@ -187,7 +187,9 @@ inline void describe(Schema<Config>& s) {
           "together, smoothly, in `ramp_time`. Then the test goes on until the specimen is at rest, or for `duration`; "
           "`release_after` takes the load away at once, so that it swings freely. Once bonds break a dead load goes on "
           "pushing: the test ends at `max_displacement`.\n\n"
-          "Curves: `load_factor`; of each group `<name>_displacement_x`, ... (mean of its particles, as shared), "
+          "Curves: `load_factor`; of forces `load` (their magnitudes, added up) and `load_displacement` (of the points "
+          "where they act, along them, weighted by them: load times displacement is work); of each group "
+          "`<name>_displacement_x`, ... (mean of its particles, as shared), "
           "`<name>_rotation_x`, ... (of the particles, from their spins); of supports `<name>_reaction_force_x`, ... "
           "and "
           "`<name>_reaction_moment_x`, ... (on the specimen, about the middle of the group); `unbalanced_load_share`.");

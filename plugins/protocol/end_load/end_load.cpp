@@ -30,6 +30,12 @@ class EndLoad final : public Protocol {
     take_supports(view.particles, control);
     take_loads(view.particles);
     factor_ = recorder.add({"load_factor", "1", "share of the loads that is applied"});
+    for (const Loaded& l : loads_) force_ += l.force.norm();
+    if (force_ > 0) {
+      load_ = recorder.add({"load", "N", "magnitudes of the applied forces, added up"});
+      load_displacement_ =
+          recorder.add({"load_displacement", "m", "of the points of the forces along them, weighted by the forces"});
+    }
     for (const Supported& s : supports_) add_columns(recorder, s.group, true);
     for (const Loaded& l : loads_) add_columns(recorder, l.group, false);
     unbalanced_ = recorder.add({"unbalanced_load_share", "1",
@@ -76,6 +82,12 @@ class EndLoad final : public Protocol {
 
   void sample(const SimulationView& view, Recorder& recorder) const override {
     recorder.set(factor_, s_.factor);
+    if (force_ > 0) {
+      double work = 0;
+      for (const Loaded& l : loads_) work += l.force.dot(l.group.displacement(view.particles));
+      recorder.set(load_, s_.factor * force_);
+      recorder.set(load_displacement_, work / force_);
+    }
     recorder.set(unbalanced_, unbalanced(view.particles));
     std::size_t column = 0;
     for (const double value : values(view.particles)) recorder.set(columns_[column++], value);
@@ -249,13 +261,14 @@ class EndLoad final : public Protocol {
   Space space_;
   double ramp_time_ = 0, max_time_ = 0, max_displacement_ = 0;  // [s], [s], [m]
   double size_ = 0;                                             ///< of all loads, particle by particle [N]
+  double force_ = 0;                                            ///< magnitudes of the forces, added up [N]
   std::vector<Supported> supports_;
   std::vector<Loaded> loads_;
   std::vector<OnParticle> on_particles_;
   std::vector<std::uint8_t> held_;  ///< by the supports
   std::vector<Column> names_;
   std::vector<std::size_t> columns_;  ///< of `names_`
-  std::size_t factor_ = 0, unbalanced_ = 0;
+  std::size_t factor_ = 0, unbalanced_ = 0, load_ = 0, load_displacement_ = 0;
   Running s_;
 };
 

@@ -19,24 +19,72 @@ using std::numbers::pi;
 
 }  // namespace
 
-Viewpoint::Viewpoint(const Spheres& spheres, const FrameFacts& facts) : dimension_(facts.dimension) {
-  BRECCIA_ASSERT(!spheres.position.empty());
-  if (dimension_ == 2) {
-    toward_ = Vec3::UnitZ();
-    up_ = Vec3::UnitY();
+Direction direction_of(const CameraConfig& camera, const TestSetup& setup, bool face) {
+  Vec3 toward = -Vec3::UnitY(), up = Vec3::UnitZ();
+  if (setup.dimension == 2) {
+    toward = Vec3::UnitZ();
+    up = Vec3::UnitY();
+  } else if (camera.direction) {
+    toward = camera.direction->normalized();
   } else {
-    constexpr double azimuth = -60 * pi / 180, elevation = 18 * pi / 180;
-    toward_ = {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
-    up_ = (Vec3::UnitZ() - toward_.z() * toward_).normalized();
+    switch (camera.view.value_or(face ? Looking::face : Looking::oblique)) {
+      case Looking::oblique: {
+        constexpr double azimuth = -60 * pi / 180, elevation = 18 * pi / 180;
+        toward = {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+                  std::sin(elevation)};
+        break;
+      }
+      case Looking::face:
+        toward = setup.face;
+        up = setup.up;
+        break;
+      case Looking::front:
+        break;
+      case Looking::side:
+        toward = Vec3::UnitX();
+        break;
+      case Looking::top:
+        toward = Vec3::UnitZ();
+        break;
+    }
   }
-  right_ = up_.cross(toward_);
+  up = camera.up.value_or(up);
+  up -= up.dot(toward) * toward;
+  if (!(up.norm() > 1e-6)) up = Vec3::UnitY() - toward.y() * toward;
+  return {toward, up.normalized()};
+}
+
+std::vector<Slab> slabs_of(const TestSetup& setup) {
+  std::vector<Slab> slabs;
+  if (!setup.specimen) return slabs;
+  const SpecimenShape& s = *setup.specimen;
+  const Vec3 centre = s.base + 0.5 * s.height * s.axis;
+  for (const Platen& p : setup.platens) {
+    const double thickness = 0.025 * setup.size();
+    int along = 0;
+    p.normal.cwiseAbs().maxCoeff(&along);
+    Vec3 sides[2];
+    for (int k = 1; k < 3; ++k) {
+      const int axis = (along + k) % 3;
+      sides[k - 1] = (setup.dimension == 2 && axis == 2 ? 0.5 : 0.55) * s.extent[axis] * Vec3::Unit(axis);
+    }
+    const Vec3 face = centre - (centre - p.point).dot(p.normal) * p.normal;
+    slabs.push_back({face - thickness * p.normal, sides[0], sides[1], thickness * Vec3::Unit(along)});
+  }
+  return slabs;
+}
+
+Viewpoint::Viewpoint(const Spheres& spheres, const TestSetup& setup, const Direction& direction, double zoom,
+                     bool platens)
+    : dimension_(setup.dimension), direction_(direction), right_(direction.up.cross(direction.toward)) {
+  BRECCIA_ASSERT(!spheres.position.empty());
   constexpr double far = std::numeric_limits<double>::infinity();
   low_ = Vec3::Constant(far);
   high_ = Vec3::Constant(-far);
 
   Vec3 box_low = Vec3::Constant(-far), box_high = Vec3::Constant(far);
-  if (facts.specimen) {
-    const SpecimenShape& s = *facts.specimen;
+  if (setup.specimen) {
+    const SpecimenShape& s = *setup.specimen;
     const Vec3 centre = s.base + 0.5 * s.height * s.axis, half = 0.6 * s.extent;
     box_low = centre - half;
     box_high = centre + half;
@@ -53,7 +101,13 @@ Viewpoint::Viewpoint(const Spheres& spheres, const FrameFacts& facts) : dimensio
     }
     if (low_.x() < high_.x() && low_.y() < high_.y()) break;  // nothing inside the stated shape: frame all
   }
-  if (facts.specimen) include(*facts.specimen);
+  if (setup.specimen) include(*setup.specimen);
+  if (platens)
+    for (const Slab& s : slabs_of(setup))
+      for (int c = 0; c < 8; ++c)
+        include(s.centre + (c & 1 ? s.a : Vec3(-s.a)) + (c & 2 ? s.b : Vec3(-s.b)) + (c & 4 ? s.c : Vec3(-s.c)), 0);
+  if (setup.specimen)
+    for (const DeadLoad& l : setup.loads) include(l.tip - 1.1 * arrow_share * setup.size() * l.direction, 0);
   // A single point, or points in a row: some room about them.
   const double room = std::max({high_.x() - low_.x(), high_.y() - low_.y(), 1e-9});
   for (int k = 0; k < 2; ++k)
@@ -61,10 +115,15 @@ Viewpoint::Viewpoint(const Spheres& spheres, const FrameFacts& facts) : dimensio
       low_[k] -= 0.5 * room;
       high_[k] += 0.5 * room;
     }
+  for (int k = 0; k < 2; ++k) {
+    const double middle = 0.5 * (low_[k] + high_[k]), half = 0.5 * (high_[k] - low_[k]) / zoom;
+    low_[k] = middle - half;
+    high_[k] = middle + half;
+  }
 }
 
 void Viewpoint::include(const Vec3& x, double radius) {
-  const Vec3 seen(right_.dot(x), up_.dot(x), toward_.dot(x)), r = Vec3::Constant(radius);
+  const Vec3 seen(right_.dot(x), direction_.up.dot(x), direction_.toward.dot(x)), r = Vec3::Constant(radius);
   low_ = low_.cwiseMin(seen - r);
   high_ = high_.cwiseMax(seen + r);
 }
@@ -76,7 +135,7 @@ void Viewpoint::include(const SpecimenShape& s) {
   if (s.outline == Outline::irregular) return;
   Vec3 low, high;  // along right, up, toward
   int k = 0;
-  for (const Vec3& d : {right_, up_, toward_}) {
+  for (const Vec3& d : {right_, direction_.up, direction_.toward}) {
     double reach = d.cwiseAbs().dot(half);  // of the box
     if (s.outline == Outline::ellipsoid || (s.outline == Outline::cylinder && dimension_ == 2)) {
       reach = d.cwiseProduct(half).norm();
@@ -94,32 +153,39 @@ void Viewpoint::include(const SpecimenShape& s) {
 
 bool Viewpoint::frames(const Vec3& x, double radius) const {
   const double tiny = 1e-9 * (high_ - low_).norm();  // the outermost spheres make the frame
-  const double across = right_.dot(x), along = up_.dot(x), reach = radius - tiny;
+  const double across = right_.dot(x), along = direction_.up.dot(x), reach = radius - tiny;
   return across - reach >= low_.x() && across + reach <= high_.x() && along - reach >= low_.y() &&
          along + reach <= high_.y();
 }
 
-int Viewpoint::width_for(int height) const {
-  const double aspect = (high_.x() - low_.x()) / (high_.y() - low_.y());
-  return int(
-      std::lround(height / 100.0 * std::clamp(usable_height * aspect + left_margin + right_margin, 65.0, 160.0)));
+Viewpoint::Paper Viewpoint::paper(int size, bool titled) const {
+  const double aspect = (high_.x() - low_.x()) / (high_.y() - low_.y()), usable = usable_height - (titled ? 5 : 0);
+  constexpr double widest = 160, least_height = 52, sides = left_margin + right_margin;
+  const double unit = size / 100.0, width = std::clamp(usable * aspect + sides, 65.0, widest);
+  // What is much wider than high, a beam, needs a sheet that is less high.
+  const double needed = (widest - sides) / aspect + 100 - usable;
+  const double height = usable * aspect + sides > widest ? std::clamp(needed, least_height, 100.0) : 100.0;
+  return {int(std::lround(unit * width)), int(std::lround(unit * height)), unit};
 }
 
-Projection Viewpoint::aim(int width, int height) {
-  const double u = height / 100.0, usable_width = width - (left_margin + right_margin) * u;
-  pixels_per_metre_ = std::min(usable_height * u / (high_.y() - low_.y()), usable_width / (high_.x() - low_.x()));
-  const double x = left_margin * u + 0.5 * usable_width, y = (bottom_margin + 0.5 * usable_height) * u;
+Projection Viewpoint::aim(const Paper& paper, bool titled) {
+  const double u = paper.unit, usable_width = paper.width - (left_margin + right_margin) * u,
+               high = paper.height - (top_margin + bottom_margin + (titled ? 5 : 0)) * u;
+  pixels_per_metre_ = std::min(high / (high_.y() - low_.y()), usable_width / (high_.x() - low_.x()));
+  const double x = left_margin * u + 0.5 * usable_width, y = bottom_margin * u + 0.5 * high;
   const Vec3 middle = 0.5 * (low_ + high_);
   return {right_,
-          up_,
-          toward_,
+          direction_.up,
+          direction_.toward,
           pixels_per_metre_,
           {x - pixels_per_metre_ * middle.x(), y - pixels_per_metre_ * middle.y()}};
 }
 
-void Viewpoint::annotate(Overlay& overlay) const {
+void Viewpoint::annotate(Overlay& overlay, bool directions) const {
   BRECCIA_ASSERT(pixels_per_metre_ > 0);
-  const double longest = 0.25 * (high_.x() - low_.x()) + 0.25 * (high_.y() - low_.y());
+  // No longer than is free beside the time.
+  const double free = (0.45 * overlay.width) / pixels_per_metre_;
+  const double longest = std::min(0.25 * (high_.x() - low_.x()) + 0.25 * (high_.y() - low_.y()), free);
   const double power = std::pow(10.0, std::floor(std::log10(longest)));
   double length = power;
   for (const double s : {2.0, 5.0})
@@ -127,8 +193,10 @@ void Viewpoint::annotate(Overlay& overlay) const {
   overlay.scale_bar = length * pixels_per_metre_;
   const ShownUnit unit = shown_unit("m", length * 1.0001);
   overlay.scale_text = significant(length * unit.factor, 3) + " " + unit.unit;
+  if (!directions) return;
   const char* names[] = {"x", "y", "z"};
-  for (int k = 0; k < dimension_; ++k) overlay.directions.emplace_back(Eigen::Vector2d(right_[k], up_[k]), names[k]);
+  for (int k = 0; k < dimension_; ++k)
+    overlay.directions.emplace_back(Eigen::Vector2d(right_[k], direction_.up[k]), names[k]);
 }
 
 }  // namespace breccia::pictures

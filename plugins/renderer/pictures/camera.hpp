@@ -2,37 +2,50 @@
 /// From where a specimen is seen, and how much of it. Parallel projection: lengths can be read off the scale bar.
 #pragma once
 
-#include <span>
-
 #include "caster.hpp"
 #include "overlay.hpp"
-#include "results.hpp"
+#include "scene_config.hpp"
+#include "test_setup.hpp"
 
 namespace breccia::pictures {
 
-/// Spheres to be shown: centres and radii [m].
-struct Spheres {
-  std::vector<Vec3> position;
-  std::vector<double> radius;
+/// Unit vectors, square to each other.
+struct Direction {
+  Vec3 toward, up;  ///< the reader; in the picture
 };
+/// `face`: where the user says nothing, the view square to the plane of the load.
+Direction direction_of(const CameraConfig& camera, const TestSetup& setup, bool face);
+
+/// Of a platen that is drawn as a slab: its eight corners are centre ± a ± b ± c.
+struct Slab {
+  Vec3 centre, a, b, c;  // [m]
+};
+std::vector<Slab> slabs_of(const TestSetup& setup);
+/// The line that stands for a load ends at its tip and is this share of the specimen's largest extent long.
+constexpr double arrow_share = 0.16;
 
 class Viewpoint {
  public:
-  /// Three-quarter view, slightly from above; straight on in two dimensions. Frames the specimen if its shape is known,
-  /// with the spheres about it, otherwise all spheres: fragments that fly far do not shrink the rest.
-  Viewpoint(const Spheres& spheres, const FrameFacts& facts);
+  /// Frames the specimen if its shape is known, with the spheres, platens and loads about it, otherwise all spheres:
+  /// fragments that fly far do not shrink the rest.
+  Viewpoint(const Spheres& spheres, const TestSetup& setup, const Direction& direction, double zoom, bool platens);
 
-  /// Width that suits a picture of this height, with room for a colour bar or legend [pixels].
-  int width_for(int height) const;
-  /// For a picture of this size [pixels].
-  Projection aim(int width, int height);
+  /// Size of the picture, with room for a colour bar or legend, and for a title [pixels]. `size`: the height that it
+  /// has unless it is much wider than high.
+  struct Paper {
+    int width, height;
+    double unit;  ///< a hundredth of `size`: writing is as large as in the others
+  };
+  Paper paper(int size, bool titled) const;
+  /// For a picture of this size.
+  Projection aim(const Paper& paper, bool titled);
   /// Fills in scale bar and directions. After `aim`.
-  void annotate(Overlay& overlay) const;
+  void annotate(Overlay& overlay, bool directions) const;
 
   /// Whether a sphere lies within the frame. One that has flown out of it would end up over the writing.
   bool frames(const Vec3& x, double radius) const;
 
-  Vec3 toward_reader() const { return toward_; }
+  const Direction& direction() const { return direction_; }
   int dimension() const { return dimension_; }
 
  private:
@@ -40,7 +53,8 @@ class Viewpoint {
   void include(const SpecimenShape& specimen);
 
   int dimension_;
-  Vec3 right_, up_, toward_;
+  Direction direction_;
+  Vec3 right_;
   Vec3 low_, high_;  // of what is framed, along right, up, toward [m]
   double pixels_per_metre_ = 0;
 };

@@ -274,6 +274,14 @@ Image cast(const Scene& scene, const Projection& projection, int width, int heig
   BRECCIA_ASSERT(width > 0 && height > 0 && projection.pixels_per_metre > 0);
   Image image{width, height, std::vector<unsigned char>(3 * std::size_t(width) * std::size_t(height))};
   Caster(scene, projection, image, background).run(threads);
+  if (scene.opacity >= 1 || scene.spheres.empty()) return image;
+  // The foremost spheres as one pane of glass: what is behind them all shows the same, however many lie in the way.
+  Scene behind;
+  behind.patches = scene.patches;
+  const Image through = cast(behind, projection, width, height, background, threads);
+  for (std::size_t k = 0; k < image.rgb.size(); ++k)
+    image.rgb[k] =
+        static_cast<unsigned char>(scene.opacity * image.rgb[k] + (1 - scene.opacity) * through.rgb[k] + 0.5);
   return image;
 }
 

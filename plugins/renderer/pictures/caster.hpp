@@ -45,6 +45,7 @@ struct Scene {
   std::vector<Sphere> spheres;
   std::vector<Patch> patches;
   bool occlusion = false;  ///< darkens gaps between spheres as diffuse light from everywhere would
+  double opacity = 1;      ///< of the spheres: below 1, flat patches are seen through them
 };
 
 /// Red, green, blue of each pixel, rows from top to bottom.

@@ -151,18 +151,18 @@ void write_chart(const Chart& chart, const Sheet& sheet, const std::filesystem::
                  std::vector<std::filesystem::path>& made) {
   const ChartLayout layout = layout_of(chart, sheet);
   const Page page{int(std::lround(layout.width)), int(std::lround(layout.height)), sheet.background,
-                  chart.left_title + " against " + chart.x_title};
+                  chart.title.empty() ? chart.left_title + " against " + chart.x_title : chart.title};
   const Draw draw = [&](Painter& painter) {
     draw_grid(painter, layout);
     draw_bars(painter, chart, layout);
     for (const ChartLine& line : chart.lines) draw_line(painter, line, layout);
     draw_axes(painter, chart, layout);
     draw_legend(painter, chart, layout, bytes_of(sheet.background));
+    if (!chart.title.empty())
+      painter.text({0.5 * (layout.left + layout.right), layout.top + 4 * layout.unit}, L::title_size * layout.unit,
+                   Anchor::middle, chart.title, layout.writing);
   };
-  made.push_back(stem.string() + ".png");
-  write_png(page, draw, made.back());
-  made.push_back(stem.string() + ".svg");
-  write_svg(page, draw, made.back());
+  write_chart_files(page, draw, stem, made);
 }
 
 }  // namespace breccia::pictures

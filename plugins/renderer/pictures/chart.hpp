@@ -26,6 +26,7 @@ struct ChartBar {
 
 struct Chart {
   std::string x_title, left_title, right_title;  ///< without a right title there is no right axis
+  std::string title;                             ///< above the axes; empty: none
   std::vector<ChartLine> lines;
   bool right_from_zero = false;
   bool equal_scales = false;   ///< circles stay round: the height follows; without a right axis
@@ -82,7 +83,7 @@ struct ChartLayout {
 /// than two points to draw.
 ChartLayout layout_of(const Chart& chart, const Sheet& sheet);
 
-/// Writes <stem>.png and <stem>.svg and adds them to `made`.
+/// Writes <stem>.png, <stem>.svg and <stem>.pdf and adds them to `made`.
 void write_chart(const Chart& chart, const Sheet& sheet, const std::filesystem::path& stem,
                  std::vector<std::filesystem::path>& made);
 

@@ -31,8 +31,12 @@ struct Range {
     if (a > 0 && a < 0.3 * b) a = 0;
     if (!(b > a)) b = a + (a != 0 ? std::abs(a) : 1);
     const double step = nice_ticks(a, b, 6).step;
-    a = step * std::floor(a / step + 1e-9);
-    b = step * std::ceil(b / step - 1e-9);
+    // What goes a little beyond zero, as strains do while a specimen is confined, does not cost a step of the axis.
+    const double little = 0.05 * (b - a);
+    if (a < 0 && a > -little) a -= 0.5 * little;
+    else a = step * std::floor(a / step + 1e-9);
+    if (b > 0 && b < little) b += 0.5 * little;
+    else b = step * std::ceil(b / step - 1e-9);
     return {a, b, ticks_at(a, b, step)};
   }
 };
@@ -137,13 +141,14 @@ ChartLayout layout_of(const Chart& chart, const Sheet& sheet) {
   l.left = (10 + label_width(l.left_axis.ticks)) * l.unit;
   l.right = l.width - (chart.right_title.empty() ? 5 : 10 + label_width(l.right_axis.ticks)) * l.unit;
   l.bottom = 14 * l.unit;
-  l.top = l.height - 4 * l.unit;
+  const double above = chart.title.empty() ? 4 : 8;
+  l.top = l.height - above * l.unit;
   if (chart.equal_scales) {
     const double wide = l.right - l.left, scale = wide / (l.x_axis.high - l.x_axis.low);
     // High enough for the title of its axis.
     l.left_axis.high = std::max(l.left_axis.high, l.left_axis.low + 45 * l.unit / scale);
     l.top = l.bottom + scale * (l.left_axis.high - l.left_axis.low);
-    l.height = l.top + 4 * l.unit;
+    l.height = l.top + above * l.unit;
   }
   l.writing = writing_on(sheet.background);
   place_legend(chart, l);

@@ -27,12 +27,39 @@ std::string stress_name(const CurvesFile& curves, const CurveNames& names) {
                                                                                             : "axial_stress");
 }
 
+std::string displacement_name(const CurvesFile& curves, const CurveNames& names) {
+  return names.displacement.value_or(!curves.find("platen_displacement") && curves.find("load_displacement")
+                                         ? "load_displacement"
+                                         : "platen_displacement");
+}
+
+/// Whether what is largest of it is negative: so is a test in tension that counts compression as positive.
+bool goes_down(const Curve& c) {
+  double low = 0, high = 0;
+  for (const double v : c.value)
+    if (std::isfinite(v)) {
+      low = std::min(low, v);
+      high = std::max(high, v);
+    }
+  return -low > high;
+}
+
+/// The largest value, where the curve falls again: else there is no peak, only an end.
+std::string mark_of(const std::vector<double>& y, std::size_t at) {
+  for (std::size_t k = at + 1; k < y.size(); ++k)
+    if (y[k] < 0.99 * y[at]) return "peak ";
+  return "highest ";
+}
+
 /// One quantity over another with its peak marked, and damage on the right axis if it is recorded.
 Chart curve_with_peak(const Curve& across, const Curve& up, const Curve* damage) {
-  const Shown x = shown(across), y = shown(up);
+  const bool down = goes_down(up), back = down && goes_down(across);
+  Shown x = shown(across), y = shown(up);
+  if (down) y.value = scaled(y.value, -1);
+  if (back) x.value = scaled(x.value, -1);
   Chart chart;
-  chart.x_title = axis_title(across, x.unit);
-  chart.left_title = axis_title(up, y.unit);
+  chart.x_title = axis_title(across, x.unit, back);
+  chart.left_title = axis_title(up, y.unit, down);
   chart.lines.push_back({title(up.name, ""), x.value, y.value, {blue}});
   if (damage) {
     const Shown d = shown(*damage);
@@ -46,15 +73,28 @@ Chart curve_with_peak(const Curve& across, const Curve& up, const Curve* damage)
     if (std::isfinite(y.value[k]) && std::isfinite(x.value[k]) &&
         (peak == y.value.size() || y.value[k] > y.value[peak]))
       peak = k;
-  if (peak < y.value.size())
-    chart.lines.push_back(
-        {"peak " + significant(y.value[peak], 4) + " " + y.unit + " at " + significant(x.value[peak], 3) + " " + x.unit,
-         {x.value[peak]},
-         {y.value[peak]},
-         {ink, LineStyle::full, {}, Marker::circle},
-         false,
-         true});
+  if (peak < y.value.size() && y.value[peak] > 0)
+    chart.lines.push_back({mark_of(y.value, peak) + significant(y.value[peak], 4) + " " + y.unit + " at " +
+                               significant(x.value[peak], 3) + " " + x.unit,
+                           {x.value[peak]},
+                           {y.value[peak]},
+                           {ink, LineStyle::full, {}, Marker::circle},
+                           false,
+                           true});
   return chart;
+}
+
+/// What a column says of its sign: "compression +"; of one that is shown with the other sign "extension +".
+std::string sign_of(const Curve& c, bool turned) {
+  const auto says = [&](const char* what) {
+    return c.doc.find(std::string(what) + " positive") != c.doc.npos ||
+           c.doc.find("positive in " + std::string(what)) != c.doc.npos;
+  };
+  const bool strain = c.name.find("strain") != c.name.npos;
+  if (says("compression")) return !turned ? ", compression +" : strain ? ", extension +" : ", tension +";
+  if (says("extension")) return turned ? ", contraction +" : ", extension +";
+  if (says("tension")) return turned ? ", compression +" : ", tension +";
+  return turned ? ", sign turned" : "";
 }
 
 }  // namespace
@@ -79,14 +119,18 @@ ShownUnit unit_of_axis(const Curve& c, double most) {
   return {};
 }
 
-std::string axis_title(const Curve& c, const std::string& unit) {
+std::string axis_title(const Curve& c, const std::string& unit, bool turned) {
   std::string name = c.name;
+  // Averages over the specimen are told from what platens and gauges feel, whose names say so.
+  if (c.doc.starts_with("mean ") && (name.starts_with("axial") || name.starts_with("lateral") ||
+                                     name.starts_with("volumetric") || name.starts_with("deviatoric_s")))
+    name = "mean " + name;
   if (c.name.ends_with("strain")) name += " ε";
   else if (c.name.ends_with("stress")) name += " σ";
   else if (c.name == "global_damage") name = "broken bonds D";
   else if (c.name == "bonds_broken_tension") name = "bonds broken in tension";
   else if (c.name == "bonds_broken_shear") name = "bonds broken in shear";
-  return title(name, unit);
+  return title(name + sign_of(c, turned), unit);
 }
 
 Chart stress_strain_chart(const CurvesFile& curves, const CurveNames& names) {
@@ -95,7 +139,7 @@ Chart stress_strain_chart(const CurvesFile& curves, const CurveNames& names) {
 }
 
 Chart load_chart(const CurvesFile& curves, const CurveNames& names) {
-  return curve_with_peak(curves.at(names.displacement), curves.at(names.load), curves.find(names.damage));
+  return curve_with_peak(curves.at(displacement_name(curves, names)), curves.at(names.load), curves.find(names.damage));
 }
 
 bool has_stress_strain(const CurvesFile& curves, const CurveNames& names) {
@@ -103,7 +147,7 @@ bool has_stress_strain(const CurvesFile& curves, const CurveNames& names) {
 }
 
 bool has_load(const CurvesFile& curves, const CurveNames& names) {
-  return curves.find(names.displacement) && curves.find(names.load);
+  return curves.find(displacement_name(curves, names)) && curves.find(names.load);
 }
 
 Chart strains_chart(const CurvesFile& curves, const CurveNames& names) {

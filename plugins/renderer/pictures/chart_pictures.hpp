@@ -12,8 +12,8 @@ namespace breccia::pictures {
 
 /// Which columns are drawn, by header or by name without the unit.
 struct CurveNames {
-  std::optional<std::string> strain, stress;
-  std::string damage, lateral_strain, displacement, load;
+  std::optional<std::string> strain, stress, displacement;
+  std::string damage, lateral_strain, load;
 
   static void describe(Schema<CurveNames>& s) {
     s.param("strain", &CurveNames::strain)
@@ -27,16 +27,17 @@ struct CurveNames {
         .doc("right axis of `stress_strain` and `load_curve`, if there is such a column");
     s.param("lateral_strain", &CurveNames::lateral_strain).fallback("lateral_strain").doc("left axis of `strains`");
     s.param("displacement", &CurveNames::displacement)
-        .fallback("platen_displacement")
-        .doc("horizontal axis of `load_curve`");
+        .example("platen_displacement")
+        .doc("horizontal axis of `load_curve`; if absent `platen_displacement`, or else `load_displacement`");
     s.param("load", &CurveNames::load).fallback("load").doc("left axis of `load_curve`");
   }
 };
 
-/// Axial stress and, if that column exists, damage against axial strain, with the peak marked.
+/// Axial stress and, if that column exists, damage against axial strain, with the peak marked. A test in tension is
+/// shown with tension positive.
 Chart stress_strain_chart(const CurvesFile& curves, const CurveNames& names);
 
-/// The load of the platens against their displacement in the same way.
+/// The load against the displacement of what loads in the same way.
 Chart load_chart(const CurvesFile& curves, const CurveNames& names);
 
 /// Lateral against axial strain.
@@ -52,7 +53,8 @@ std::vector<double> scaled(const std::vector<double>& v, double factor);
 double largest(const std::vector<double>& v);
 /// Strains and shares in percent, counts as they are, what has a unit with the prefix that fits its largest value.
 ShownUnit unit_of_axis(const Curve& curve, double most);
-/// "axial strain ε (%)": with the customary sign of the quantities that have one.
-std::string axis_title(const Curve& curve, const std::string& unit);
+/// "mean axial strain ε, compression + (%)": which one it is and how its sign is meant, as far as curves.json says so,
+/// and the customary symbol. `turned`: it is shown with the other sign.
+std::string axis_title(const Curve& curve, const std::string& unit, bool turned = false);
 
 }  // namespace breccia::pictures

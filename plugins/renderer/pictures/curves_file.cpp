@@ -40,7 +40,7 @@ std::vector<Curve> described_curves(std::filesystem::path file, const std::vecto
         });
     if (at == described.end()) return {};  // of another table
     const std::string name = text(*at, "name"), unit = text(*at, "unit");
-    curves.push_back({name.empty() ? header : name, unit == "1" ? "" : unit, {}});
+    curves.push_back({name.empty() ? header : name, unit == "1" ? "" : unit, {}, text(*at, "doc")});
   }
   return curves;
 }

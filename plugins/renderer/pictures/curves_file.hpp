@@ -13,6 +13,7 @@ struct Curve {
   std::string name;  ///< without the unit
   std::string unit;  ///< SI; empty for a pure number
   std::vector<double> value;
+  std::string doc = {};  ///< what curves.json says of it
 };
 
 class CurvesFile {

@@ -47,5 +47,12 @@ using Draw = std::function<void(Painter&)>;
 void write_png(const Page& page, const Draw& draw, const std::filesystem::path& file);
 /// Text stays text, to be edited in a drawing program.
 void write_svg(const Page& page, const Draw& draw, const std::filesystem::path& file);
+/// As wide as the text of a printed page, with its type within.
+void write_pdf(const Page& page, const Draw& draw, const std::filesystem::path& file);
+/// Writes <stem>.png, <stem>.svg and <stem>.pdf and adds them to `made`.
+void write_chart_files(const Page& page, const Draw& draw, const std::filesystem::path& stem,
+                       std::vector<std::filesystem::path>& made);
+/// What write_png would write.
+Image flat(const Page& page, const Draw& draw);
 
 }  // namespace breccia::pictures

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cairo-ft.h>
+#include <cairo-pdf.h>
 #include <cairo.h>
 
 #include <cmath>
@@ -118,10 +119,9 @@ void expect_success(cairo_status_t status, const std::filesystem::path& file) {
     throw UserError("renderer pictures: cannot draw " + file.string() + ": " + cairo_status_to_string(status));
 }
 
-}  // namespace
-
-void write_png(const Page& page, const Draw& draw, const std::filesystem::path& file) {
-  const Surface sheet(cairo_image_surface_create(CAIRO_FORMAT_RGB24, page.width, page.height));
+/// The sheet with all that is drawn on it; `file` is for messages.
+Surface painted(const Page& page, const Draw& draw, const std::filesystem::path& file) {
+  Surface sheet(cairo_image_surface_create(CAIRO_FORMAT_RGB24, page.width, page.height));
   expect_success(cairo_surface_status(sheet.get()), file);
   const Context context(cairo_create(sheet.get()));
   if (page.scene) {
@@ -133,13 +133,69 @@ void write_png(const Page& page, const Draw& draw, const std::filesystem::path& 
   CairoPainter painter(context.get(), page.height);
   draw(painter);
   expect_success(cairo_status(context.get()), file);
+  return sheet;
+}
+
+cairo_status_t append(void* to, const unsigned char* bytes, unsigned count) {
+  static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(bytes), count);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+}  // namespace
+
+void write_png(const Page& page, const Draw& draw, const std::filesystem::path& file) {
+  const Surface sheet = painted(page, draw, file);
   std::string png;
-  const auto append = [](void* to, const unsigned char* bytes, unsigned count) {
-    static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(bytes), count);
-    return CAIRO_STATUS_SUCCESS;
-  };
   expect_success(cairo_surface_write_to_png_stream(sheet.get(), append, &png), file);
   write_file(file, png);
+}
+
+Image flat(const Page& page, const Draw& draw) {
+  const Surface sheet = painted(page, draw, "a picture");
+  cairo_surface_flush(sheet.get());
+  Image image{page.width, page.height, {}};
+  image.rgb.reserve(3 * std::size_t(page.width) * std::size_t(page.height));
+  const unsigned char* const data = cairo_image_surface_get_data(sheet.get());
+  for (int y = 0; y < page.height; ++y) {
+    const auto* from =
+        reinterpret_cast<const std::uint32_t*>(data + std::ptrdiff_t(y) * cairo_image_surface_get_stride(sheet.get()));
+    for (int x = 0; x < page.width; ++x)
+      for (const int shift : {16, 8, 0}) image.rgb.push_back(static_cast<unsigned char>(from[x] >> shift & 255));
+  }
+  return image;
+}
+
+void write_pdf(const Page& page, const Draw& draw, const std::filesystem::path& file) {
+  constexpr double text_width = 170 / 25.4 * 72;  // of an A4 page [points]
+  const double scale = text_width / page.width;
+  std::string pdf;
+  const Surface sheet(cairo_pdf_surface_create_for_stream(append, &pdf, scale * page.width, scale * page.height));
+  expect_success(cairo_surface_status(sheet.get()), file);
+  cairo_pdf_surface_set_metadata(sheet.get(), CAIRO_PDF_METADATA_TITLE, valid_utf8(page.title).c_str());
+  // The same files give the same bytes, whenever they are drawn.
+  cairo_pdf_surface_set_metadata(sheet.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
+  {
+    const Context context(cairo_create(sheet.get()));
+    cairo_scale(context.get(), scale, scale);
+    cairo_set_source_rgb(context.get(), page.background.x(), page.background.y(), page.background.z());
+    cairo_paint(context.get());
+    CairoPainter painter(context.get(), page.height);
+    draw(painter);
+    expect_success(cairo_status(context.get()), file);
+  }
+  cairo_surface_finish(sheet.get());
+  expect_success(cairo_surface_status(sheet.get()), file);
+  write_file(file, pdf);
+}
+
+void write_chart_files(const Page& page, const Draw& draw, const std::filesystem::path& stem,
+                       std::vector<std::filesystem::path>& made) {
+  made.push_back(stem.string() + ".png");
+  write_png(page, draw, made.back());
+  made.push_back(stem.string() + ".svg");
+  write_svg(page, draw, made.back());
+  made.push_back(stem.string() + ".pdf");
+  write_pdf(page, draw, made.back());
 }
 
 }  // namespace breccia::pictures

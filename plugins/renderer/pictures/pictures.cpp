@@ -1,70 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Pictures of a finished run, drawn from its files on any machine: no display, no graphics card.
+#include <vtkCellData.h>
+#include <vtkPointData.h>
+
 #include <algorithm>
 
 #include "breccia/atomic_file.hpp"
 #include "breccia/renderer.hpp"
 #include "chart_pictures.hpp"
 #include "comparison.hpp"
-#include "scene_pictures.hpp"
+#include "cracks.hpp"
+#include "field_histogram.hpp"
+#include "frames.hpp"
+#include "picture_config.hpp"
 #include "strength_chart.hpp"
 #include "table_pictures.hpp"
 
 namespace breccia {
 namespace fs = std::filesystem;
 using namespace pictures;
-
-enum class Motif { specimen, cutaway, cracks, cracks_time, displacement, stress_strain, load_curve, strains, tables };
-
-struct PictureConfig {
-  Motif show;
-  std::optional<std::string> name, field;
-  ColourMap colour_map;
-  std::optional<double> low, high;
-  std::optional<long> frame;
-  Cut cut;
-
-  static void describe(Schema<PictureConfig>& s) {
-    s.param("show", &PictureConfig::show)
-        .choice("specimen", Motif::specimen, "the particles, coloured by `field`")
-        .choice("cutaway", Motif::cutaway, "the same with a part cut away (`cut`)")
-        .choice("cracks", Motif::cracks, "broken bonds as discs, coloured by tension and shear")
-        .choice("cracks_time", Motif::cracks_time, "broken bonds as discs, coloured by when they broke")
-        .choice("displacement", Motif::displacement, "the particles, coloured by the magnitude of their displacement")
-        .choice("stress_strain", Motif::stress_strain, "axial stress and damage against axial strain, .png and .svg")
-        .choice("load_curve", Motif::load_curve, "load and damage against the platens' displacement, .png and .svg")
-        .choice("strains", Motif::strains, "lateral and volumetric strain against axial strain, .png and .svg")
-        .choice("tables", Motif::tables,
-                "histograms, roses and profiles of the run's tables, if any: <table>.png and .svg each")
-        .doc("what the picture shows");
-    s.param("name", &PictureConfig::name)
-        .example("inside")
-        .doc("file name without its ending; the value of `show` if absent");
-    s.param("field", &PictureConfig::field)
-        .example("velocity_z")
-        .doc(
-            "particle field of the colours; of a vector its magnitude, or a component (`_x`, `_y`, `_z`); `damage`, or "
-            "else the displacement, if absent");
-    s.param("colour_map", &PictureConfig::colour_map)
-        .choice("automatic", ColourMap::automatic, "by the kind of field")
-        .choice("viridis", ColourMap::viridis, "dark blue to yellow")
-        .choice("cividis", ColourMap::cividis, "blue to yellow, the same to all eyes")
-        .choice("inferno", ColourMap::inferno, "black to yellow")
-        .choice("orange_red", ColourMap::orange_red, "pale stone to dark red")
-        .choice("blue_red", ColourMap::blue_red, "diverging")
-        .choice("grey", ColourMap::grey, "light to dark grey")
-        .fallback("automatic")
-        .doc("colours of the values");
-    s.param("low", &PictureConfig::low).doc("value at the lower end of the colour bar, in the SI unit of the field");
-    s.param("high", &PictureConfig::high).doc("value at the upper end of the colour bar, in the SI unit of the field");
-    s.param("frame", &PictureConfig::frame).at_least(0).doc("which frame, counted from 0; the last if absent");
-    s.param("cut", &PictureConfig::cut)
-        .choice("quarter", Cut::quarter, "a quarter")
-        .choice("half", Cut::half, "the front half")
-        .fallback("quarter")
-        .doc("what a cutaway takes away");
-  }
-};
 
 class Pictures final : public Renderer {
  public:
@@ -91,7 +45,9 @@ class Pictures final : public Renderer {
         .items(1, 1000)
         .doc(
             "what to draw; if absent, as far as the run has the data for them: `specimen`, `cutaway` (three "
-            "dimensions), `cracks`, and `load_curve` or else `stress_strain`; of tables alone `tables`");
+            "dimensions), `displacement_across` (discs, tension, bending), `cracks` if there are any, `load_curve`, "
+            "and "
+            "`stress_strain` unless the load is not axial; of tables alone `tables`");
     s.param("size", &Config::size)
         .at_least(200)
         .at_most(8000)
@@ -103,10 +59,7 @@ class Pictures final : public Renderer {
         .fallback({1, 1, 1})
         .doc("red, green and blue of the background");
     s.param("columns", &Config::columns)
-        .fallback({{"damage", "global_damage"},
-                   {"lateral_strain", "lateral_strain"},
-                   {"displacement", "platen_displacement"},
-                   {"load", "load"}})
+        .fallback({{"damage", "global_damage"}, {"lateral_strain", "lateral_strain"}, {"load", "load"}})
         .doc("columns of curves.csv, by header (`axial_stress_Pa`) or by name without the unit");
     s.param("comparisons", &Config::comparisons)
         .items(1, 1000)
@@ -121,7 +74,10 @@ class Pictures final : public Renderer {
             "the Mohr-Coulomb line");
     s.check([](const Config& c, Issues& issues) {
       std::vector<std::string> pictures, comparisons;
-      for (const PictureConfig& p : c.pictures.value_or(std::vector<PictureConfig>{})) pictures.push_back(file_name(p));
+      for (const PictureConfig& p : c.pictures.value_or(std::vector<PictureConfig>{})) {
+        p.check("pictures[" + std::to_string(pictures.size()) + "]", issues);
+        pictures.push_back(p.file_name());
+      }
       for (const Comparison& k : c.comparisons.value_or(std::vector<Comparison>{}))
         comparisons.push_back(k.file_name());
       check_names("pictures", pictures, issues);
@@ -143,7 +99,8 @@ class Pictures final : public Renderer {
       throw UserError("renderer pictures: cannot make the folder " + request.directory.string() + ": " +
                       error.message());
 
-    const std::vector<PictureConfig> pictures = config_.pictures ? *config_.pictures : usual_pictures(results);
+    Frames frames(results);
+    const std::vector<PictureConfig> pictures = config_.pictures ? *config_.pictures : usual_pictures(results, frames);
     const Sheet sheet{int(config_.size), config_.background, host.threads()};
     std::vector<fs::path> made;
     std::string last_problem = "the run has none of the data they need";
@@ -152,9 +109,13 @@ class Pictures final : public Renderer {
       host.progress("pictures", double(k) / double(pictures.size()));
       const PictureConfig& picture = pictures[k];
       try {
-        draw(picture, results, sheet, request.directory, made);
+        if (picture.movie) draw_movie(picture, frames, sheet, request.directory, host, made);
+        else draw(picture, results, frames, sheet, request.directory, made);
       } catch (const CannotWrite&) { throw; } catch (const UserError& e) {
-        last_problem = "picture `" + file_name(picture) + "` was not made: " + e.what();
+        last_problem = "picture `" + picture.file_name() + "` was not made: " + e.what();
+        host.warn(last_problem);
+      } catch (const Unavailable& e) {
+        last_problem = "movie `" + picture.file_name() + "` was not made: " + e.what();
         host.warn(last_problem);
       }
     }
@@ -216,73 +177,85 @@ class Pictures final : public Renderer {
     }
   }
 
-  static std::string file_name(const PictureConfig& p) {
-    constexpr const char* names[] = {"specimen",      "cutaway",    "cracks",  "cracks_time", "displacement",
-                                     "stress_strain", "load_curve", "strains", "tables"};
-    return p.name.value_or(names[int(p.show)]);
-  }
-
-  static const fs::path& pick(const std::vector<fs::path>& frames, const std::optional<long>& index, const char* what) {
-    if (frames.empty()) throw UserError(std::string("there are no frames of ") + what);
-    if (!index) return frames.back();
-    if (std::size_t(*index) >= frames.size())
-      throw UserError("there is no frame " + std::to_string(*index) + ": the last is " +
-                      std::to_string(frames.size() - 1));
-    return frames[std::size_t(*index)];
-  }
-
   /// What a run of any kind can show, without a word about what it is not made to show.
-  std::vector<PictureConfig> usual_pictures(const RunResults& results) const {
+  std::vector<PictureConfig> usual_pictures(const RunResults& results, Frames& frames) const {
     std::vector<PictureConfig> usual;
-    const auto add = [&](Motif show) {
-      usual.push_back({show, {}, {}, ColourMap::automatic, {}, {}, {}, Cut::quarter});
-    };
+    const auto add = [&](Motif show) { usual.emplace_back().show = show; };
     if (!results.particle_frames.empty()) {
+      const TestSetup& setup = frames.setup();
       add(Motif::specimen);
-      if (facts_of(read_frame(results.particle_frames.back())).dimension == 3) add(Motif::cutaway);
+      if (setup.dimension == 3 && setup.held.empty()) add(Motif::cutaway);
+      if (!setup.across.isZero()) add(Motif::displacement_across);
     }
-    if (!results.bond_frames.empty()) add(Motif::cracks);
+    if (!results.bond_frames.empty() && has_broken_bonds(frames.at({}, true, true).bonds)) add(Motif::cracks);
     if (!results.curves.empty()) {
       const CurvesFile curves(results.curves);
-      if (has_load(curves, config_.columns)) add(Motif::load_curve);
-      else if (has_stress_strain(curves, config_.columns)) add(Motif::stress_strain);
+      const bool load = has_load(curves, config_.columns);
+      if (load) add(Motif::load_curve);
+      // A disc on its edge has means along its axis, too, which say nothing.
+      if (has_stress_strain(curves, config_.columns) && (!load || curves.find("platen_strain")))
+        add(Motif::stress_strain);
     }
     if (usual.empty() && !results.tables.empty()) add(Motif::tables);
     return usual;
   }
 
-  void draw(const PictureConfig& p, const RunResults& results, const Sheet& sheet, const fs::path& directory,
-            std::vector<fs::path>& made) const {
-    const fs::path png = directory / (file_name(p) + ".png");
-    switch (p.show) {
-      case Motif::specimen:
-      case Motif::cutaway:
-      case Motif::displacement: {
-        SpecimenPicture specimen{p.field.value_or(p.show == Motif::displacement ? "displacement" : ""), p.colour_map,
-                                 p.low, p.high, p.show == Motif::cutaway ? p.cut : Cut::none};
-        draw_specimen(read_frame(pick(results.particle_frames, p.frame, "particles")), specimen, sheet, png);
-        break;
+  void draw(const PictureConfig& p, const RunResults& results, Frames& frames, const Sheet& sheet,
+            const fs::path& directory, std::vector<fs::path>& made) const {
+    if (p.is_scene()) {
+      const SceneWish wish = p.wish();
+      SceneFixed fixed;
+      const SceneFrame frame = frames.at(p.frame, wish.cracks, wish.sees_through());
+      made.push_back(directory / (p.file_name() + ".png"));
+      try {
+        write_scene(draw_scene(frame, wish, sheet, fixed), sheet, made.back());
+      } catch (...) {
+        made.pop_back();
+        throw;
       }
-      case Motif::cracks:
-      case Motif::cracks_time:
-        draw_cracks(read_frame(pick(results.bond_frames, p.frame, "bonds")),
-                    p.show == Motif::cracks ? CrackColour::mode : CrackColour::time, p.colour_map, sheet, png);
-        break;
-      case Motif::stress_strain:
-      case Motif::load_curve:
-      case Motif::strains: {
-        if (results.curves.empty()) throw UserError("there is no curves.csv");
-        const CurvesFile curves(results.curves);
-        const Chart chart = p.show == Motif::strains      ? strains_chart(curves, config_.columns)
-                            : p.show == Motif::load_curve ? load_chart(curves, config_.columns)
-                                                          : stress_strain_chart(curves, config_.columns);
-        write_chart(chart, sheet, directory / file_name(p), made);
-        return;
-      }
-      case Motif::tables:
-        return draw_tables(results.tables, sheet, directory, made);
+      return;
     }
-    made.push_back(png);
+    if (p.show == Motif::tables) return draw_tables(results.tables, sheet, directory, made);
+    Chart chart = p.show == Motif::histogram ? histogram(p, frames) : curve_chart(p, results);
+    chart.title = p.title.value_or("");
+    write_chart(chart, sheet, directory / p.file_name(), made);
+  }
+
+  Chart curve_chart(const PictureConfig& p, const RunResults& results) const {
+    if (results.curves.empty()) throw UserError("there is no curves.csv");
+    const CurvesFile curves(results.curves);
+    return p.show == Motif::strains      ? strains_chart(curves, config_.columns)
+           : p.show == Motif::load_curve ? load_chart(curves, config_.columns)
+                                         : stress_strain_chart(curves, config_.columns);
+  }
+
+  /// Of a field of the particles, or else of the bonds.
+  static Chart histogram(const PictureConfig& p, Frames& frames) {
+    const SceneFrame frame = frames.at(p.frame, frames.count(false) == 0, true);
+    vtkFieldData* const particles = frame.particles ? frame.particles->GetPointData() : nullptr;
+    vtkFieldData* const bonds = frame.bonds ? frame.bonds->GetCellData() : nullptr;
+    const bool of_bonds = !particles || (bonds && !has_field(particles, *p.field) && has_field(bonds, *p.field));
+    return field_histogram(field_of(of_bonds ? bonds : particles, *p.field), p.bins);
+  }
+
+  /// All frames with one view and one range of colours: those of the last frame, and of the values of all.
+  void draw_movie(const PictureConfig& p, Frames& frames, const Sheet& sheet, const fs::path& directory, Host& host,
+                  std::vector<fs::path>& made) const {
+    const SceneWish wish = p.wish();
+    const fs::path file = directory / (p.file_name() + "." + ending_of(*p.movie));
+    Movie movie(file, *p.movie, p.frames_per_second.value_or(10));
+    const std::size_t count = frames.count(wish.cracks);
+    SceneFixed fixed;
+    fix_scene(frames.at({}, wish.cracks, wish.sees_through()), wish, sheet, fixed);
+    for (std::size_t k = 0; k < count && !wish.cracks && fixed.scale; ++k)
+      widen_scale(frames.at(long(k), false, false), wish, fixed);
+    for (std::size_t k = 0; k < count; ++k) {
+      if (host.cancelled()) throw Cancelled();
+      movie.add(
+          flat_scene(draw_scene(frames.at(long(k), wish.cracks, wish.sees_through()), wish, sheet, fixed), sheet));
+    }
+    movie.finish();
+    made.push_back(file);
   }
 
   /// Tables of another shape are for other programs. One that is damaged does not keep the others from being drawn.
@@ -293,7 +266,7 @@ class Pictures final : public Renderer {
       const std::string name = file.stem().string();
       try {
         for (const PictureConfig& p : config_.pictures.value_or(std::vector<PictureConfig>{}))
-          if (file_name(p) == name) throw UserError("another picture has the name of the table " + name);
+          if (p.file_name() == name) throw UserError("another picture has the name of the table " + name);
         const CurvesFile table(file);
         if (is_rose(table)) write_rose(rose_of(table, name), sheet, directory / name, made);
         else if (is_histogram(table)) write_chart(histogram_chart(table, name), sheet, directory / name, made);

@@ -73,6 +73,7 @@ RunResults find_results(const fs::path& source) {
   if (fs::is_directory(source)) {
     if (fs::exists(source / "particles.pvd")) r.particle_frames = read_collection(source / "particles.pvd");
     if (fs::exists(source / "bonds.pvd")) r.bond_frames = read_collection(source / "bonds.pvd");
+    if (fs::exists(source / "walls.pvd")) r.wall_frames = read_collection(source / "walls.pvd");
     if (fs::exists(source / "curves.csv")) r.curves = source / "curves.csv";
     if (fs::is_directory(source / "tables"))
       for (const auto& entry : fs::directory_iterator(source / "tables"))
@@ -130,14 +131,23 @@ FrameFacts facts_of(vtkPolyData* frame) {
   return f;
 }
 
+namespace {
+
+/// The array, and which of its components is meant; -1: all of it. No array when there is no such field.
+std::pair<vtkDataArray*, int> named_array(vtkFieldData* data, const std::string& name) {
+  if (vtkDataArray* whole = data->GetArray(name.c_str())) return {whole, -1};
+  if (name.size() <= 2 || name[name.size() - 2] != '_' || name.back() < 'x' || name.back() > 'z') return {nullptr, -1};
+  vtkDataArray* vector = data->GetArray(name.substr(0, name.size() - 2).c_str());
+  if (vector && vector->GetNumberOfComponents() != 3) vector = nullptr;
+  return {vector, name.back() - 'x'};
+}
+
+}  // namespace
+
+bool has_field(vtkFieldData* data, const std::string& name) { return named_array(data, name).first; }
+
 Values field_of(vtkFieldData* data, const std::string& name) {
-  vtkDataArray* array = data->GetArray(name.c_str());
-  int component = -1;
-  if (!array && name.size() > 2 && name[name.size() - 2] == '_' && name.back() >= 'x' && name.back() <= 'z') {
-    array = data->GetArray(name.substr(0, name.size() - 2).c_str());
-    component = name.back() - 'x';
-    if (array && array->GetNumberOfComponents() != 3) array = nullptr;
-  }
+  const auto [array, component] = named_array(data, name);
   if (!array) {
     std::vector<std::string> known;
     for (int k = 0; k < data->GetNumberOfArrays(); ++k)
@@ -145,6 +155,7 @@ Values field_of(vtkFieldData* data, const std::string& name) {
     throw UserError("there is no field `" + name + "`; there are: " + first_of(known));
   }
   Values v{{}, name, unit_of(array)};
+  v.whole = array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
   const int n = array->GetNumberOfComponents();
   v.value.resize(std::size_t(array->GetNumberOfTuples()));
   for (vtkIdType k = 0; k < array->GetNumberOfTuples(); ++k) {

@@ -16,7 +16,7 @@ namespace breccia::pictures {
 
 /// What a source offers; each is empty when it has none.
 struct RunResults {
-  std::vector<std::filesystem::path> particle_frames, bond_frames;
+  std::vector<std::filesystem::path> particle_frames, bond_frames, wall_frames;
   std::filesystem::path curves;
   std::vector<std::filesystem::path> tables;  ///< by name
 };
@@ -41,7 +41,9 @@ FrameFacts facts_of(vtkPolyData* frame);
 struct Values {
   std::vector<double> value;
   std::string name, unit;
+  bool whole = false;  ///< counts and numbers of things
 };
 Values field_of(vtkFieldData* data, const std::string& name);
+bool has_field(vtkFieldData* data, const std::string& name);
 
 }  // namespace breccia::pictures

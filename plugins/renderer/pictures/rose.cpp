@@ -99,10 +99,7 @@ void write_rose(const Rose& rose, const Sheet& sheet, const std::filesystem::pat
   const RoseDrawing drawing(rose, sheet);
   const Page page{drawing.side(), drawing.side(), sheet.background, rose.title};
   const Draw draw = [&](Painter& painter) { drawing.draw(painter); };
-  made.push_back(stem.string() + ".png");
-  write_png(page, draw, made.back());
-  made.push_back(stem.string() + ".svg");
-  write_svg(page, draw, made.back());
+  write_chart_files(page, draw, stem, made);
 }
 
 }  // namespace breccia::pictures

@@ -9,7 +9,8 @@ namespace breccia::pictures {
 namespace {
 
 using std::numbers::pi;
-constexpr Rgb edge_colour{115, 115, 115}, wall_colour{243, 243, 243};
+constexpr Rgb edge_colour{115, 115, 115}, wall_colour{243, 243, 243}, platen_colour{176, 184, 190},
+    rim_colour{45, 45, 45};
 
 /// Two unit vectors that make a right-handed frame with n.
 std::pair<Vec3, Vec3> tangents(const Vec3& n) {
@@ -64,8 +65,10 @@ void add_cylinder(Scene& scene, const SpecimenShape& s, const Projection& view, 
     add_ellipse(scene, end, radius * a, radius * b, view, width);
   }
   const Vec3 side = view.toward.cross(s.axis);  // where the rays touch the barrel
-  if (side.norm() > 1e-9)
-    add_wall(scene, 0.5 * (s.base + top), radius * side.normalized(), 0.5 * s.height * s.axis, false);
+  if (!(side.norm() > 1e-9)) return;
+  const Vec3 out = radius * side.normalized();
+  add_wall(scene, 0.5 * (s.base + top), out, 0.5 * s.height * s.axis, false);
+  for (const double k : {-1.0, 1.0}) add_line(scene, s.base + k * out, top + k * out, view, width);
 }
 
 void add_ellipsoid(Scene& scene, const Vec3& centre, const Vec3& half, const Projection& view, double width) {
@@ -79,23 +82,72 @@ void add_ellipsoid(Scene& scene, const Vec3& centre, const Vec3& half, const Pro
 
 }  // namespace
 
-void add_spheres(Scene& scene, const Spheres& spheres, const std::vector<double>& value, const ColourTable& colours) {
-  for (std::size_t p = 0; p < spheres.radius.size(); ++p)
-    scene.spheres.push_back({spheres.position[p], spheres.radius[p], colours.at(value[p])});
+void add_spheres(Scene& scene, const Spheres& spheres, const std::vector<Rgb>& colour) {
+  for (std::size_t p = 0; p < spheres.size(); ++p)
+    scene.spheres.push_back({spheres.position[p], spheres.radius[p], colour[p]});
 }
 
-void add_cracks(Scene& scene, const std::vector<Crack>& cracks, int dimension) {
-  for (const Crack& c : cracks) {
-    const auto [a, b] = dimension == 2 ? std::pair<Vec3, Vec3>{Vec3(-c.normal.y(), c.normal.x(), 0), 0.18 * c.normal}
-                                       : tangents(c.normal);
-    scene.patches.push_back({c.position, c.radius * a, c.radius * b, dimension == 3, dimension == 3, false, c.colour});
+void add_section(Scene& scene, const Spheres& spheres, const std::vector<Rgb>& colour, const Vec3& point,
+                 const Vec3& normal) {
+  const auto [a, b] = tangents(normal);
+  for (std::size_t p = 0; p < spheres.size(); ++p) {
+    const double off = (spheres.position[p] - point).dot(normal), square = spheres.radius[p] * spheres.radius[p];
+    if (!(off * off < square)) continue;
+    const double radius = std::sqrt(square - off * off);
+    scene.patches.push_back(
+        {spheres.position[p] - off * normal, radius * a, radius * b, true, false, false, colour[p]});
   }
 }
 
-void add_outline(Scene& scene, const SpecimenShape& s, int dimension, const Projection& view, double line_width) {
+void add_cracks(Scene& scene, const std::vector<BrokenBond>& cracks, const std::vector<Rgb>& colour, int dimension,
+                const Projection& view) {
+  for (std::size_t k = 0; k < cracks.size(); ++k) {
+    const BrokenBond& c = cracks[k];
+    const auto [a, b] = dimension == 2 ? std::pair<Vec3, Vec3>{Vec3(-c.normal.y(), c.normal.x(), 0), 0.18 * c.normal}
+                                       : tangents(c.normal);
+    scene.patches.push_back({c.position, c.radius * a, c.radius * b, dimension == 3, dimension == 3, false, colour[k]});
+    if (dimension == 3)  // seen where the disc itself does not hide it
+      scene.patches.push_back({c.position - 1e-3 * c.radius * view.toward, 1.08 * c.radius * a, 1.08 * c.radius * b,
+                               true, false, false, rim_colour});
+  }
+}
+
+void add_slabs(Scene& scene, const std::vector<Slab>& slabs) {
+  for (const Slab& s : slabs)
+    for (const double side : {-1.0, 1.0}) {
+      scene.patches.push_back({s.centre + side * s.a, s.b, s.c, false, true, false, platen_colour});
+      scene.patches.push_back({s.centre + side * s.b, s.c, s.a, false, true, false, platen_colour});
+      scene.patches.push_back({s.centre + side * s.c, s.a, s.b, false, true, false, platen_colour});
+    }
+}
+
+double shadow_gap(const Spheres& spheres) {
+  double mean = 0;
+  for (const double r : spheres.radius) mean += r / double(spheres.size());
+  return 0.5 * mean;
+}
+
+namespace {
+
+/// Of two things behind everything the first one is seen: pale discs, then darker ones that stand out at the edge
+/// alone.
+void add_shadow(Scene& scene, const Spheres& spheres, const Projection& view, double width) {
+  const double gap = shadow_gap(spheres);
+  for (const bool edge : {false, true})
+    for (std::size_t p = 0; p < spheres.size(); ++p) {
+      const double r = spheres.radius[p] + gap + (edge ? width : 0);
+      scene.patches.push_back(
+          {spheres.position[p], r * view.right, r * view.up, true, false, true, edge ? edge_colour : wall_colour});
+    }
+}
+
+}  // namespace
+
+void add_outline(Scene& scene, const SpecimenShape& s, int dimension, const Projection& view, double line_width,
+                 const Spheres& spheres) {
   const Vec3 centre = s.base + 0.5 * s.height * s.axis, half = 0.5 * s.extent;
   using Outline = SpecimenShape::Outline;
-  if (s.outline == Outline::irregular) return;
+  if (s.outline == Outline::irregular) return add_shadow(scene, spheres, view, line_width);
   if (dimension == 2) {
     const Vec3 a(half.x(), 0, 0), b(0, half.y(), 0);
     const bool round = s.outline != Outline::box;

@@ -1,25 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// What can stand in a picture: spheres, cracks, the specimen's outline.
+/// What can stand in a picture: spheres, cracks, platens, the specimen's outline.
 #pragma once
 
 #include "camera.hpp"
+#include "cracks.hpp"
 
 namespace breccia::pictures {
 
-/// Spheres coloured by one value each.
-void add_spheres(Scene& scene, const Spheres& spheres, const std::vector<double>& value, const ColourTable& colours);
+/// Spheres of one colour each.
+void add_spheres(Scene& scene, const Spheres& spheres, const std::vector<Rgb>& colour);
 
-/// A broken bond as a disc across it (a short bar in two dimensions).
-struct Crack {
-  Vec3 position, normal;  // [m], unit vector
-  double radius = 0;      // [m]
-  Rgb colour{};
-};
-void add_cracks(Scene& scene, const std::vector<Crack>& cracks, int dimension);
+/// What a plane through `point` cuts of them: discs.
+void add_section(Scene& scene, const Spheres& spheres, const std::vector<Rgb>& colour, const Vec3& point,
+                 const Vec3& normal);
+
+/// A disc with a dark rim across each broken bond (a short bar in two dimensions).
+void add_cracks(Scene& scene, const std::vector<BrokenBond>& cracks, const std::vector<Rgb>& colour, int dimension,
+                const Projection& view);
+
+void add_slabs(Scene& scene, const std::vector<Slab>& slabs);
+
+/// How far the shadow of an irregular specimen stands out of its particles, to fill what is free between them [m].
+double shadow_gap(const Spheres& spheres);
 
 /// The specimen as it was when loading began: a pale wall behind everything and thin edges, `line_width` [m] wide.
-/// Of an irregular specimen the frame knows no surface: nothing is drawn.
+/// Of an irregular specimen the frame knows no surface: the shadow of its particles as they were then, `spheres`.
 void add_outline(Scene& scene, const SpecimenShape& specimen, int dimension, const Projection& projection,
-                 double line_width);
+                 double line_width, const Spheres& spheres);
 
 }  // namespace breccia::pictures

@@ -95,23 +95,7 @@ std::string font_file() {
   return {};
 }
 
-ShownUnit shown_unit(const std::string& unit, double largest) {
-  if (unit.empty() || unit == "1") return {};
-  if ((unit == "m2" || unit == "m3") && largest > 0) {
-    const bool square = unit == "m2";
-    const ShownUnit side = shown_unit("m", square ? std::sqrt(largest) : std::cbrt(largest));
-    return {std::pow(side.factor, square ? 2 : 3), side.unit + (square ? "²" : "³")};
-  }
-  // A prefix goes with units that begin with a plain metre, second, pascal, newton or joule.
-  const bool plain =
-      unit == "Pa" || unit == "N" || unit == "J" || unit == "m" || unit == "s" || unit == "m/s" || unit == "N m";
-  if (!plain || !(largest > 0) || !std::isfinite(largest)) return {1, unit};
-  static constexpr const char* prefixes[] = {"n", "µ", "m", "", "k", "M", "G"};
-  const int power = std::clamp(int(std::floor(std::log10(largest) / 3 + 1e-9)), -3, 3);
-  return {std::pow(10.0, -3 * power), prefixes[power + 3] + unit};
-}
-
-Ticks nice_ticks(double low, double high, int count) {
+Ticks nice_ticks(double low, double high, int count, double least_step) {
   if (!(high > low)) return {};
   const double raw = (high - low) / std::max(count, 1), power = std::pow(10.0, std::floor(std::log10(raw)));
   double step = 10 * power;
@@ -120,7 +104,7 @@ Ticks nice_ticks(double low, double high, int count) {
       step = s * power;
       break;
     }
-  return ticks_at(low, high, step);
+  return ticks_at(low, high, std::max(step, least_step));
 }
 
 Ticks ticks_at(double low, double high, double step) {
@@ -145,6 +129,12 @@ std::string significant(double value, int digits) {
   char text[32];
   std::snprintf(text, sizeof text, "%.*g", digits, value);
   return text;
+}
+
+std::string whole_number(double v) {
+  std::string digits = std::to_string(std::llround(v));
+  for (int at = int(digits.size()) - 3; at > 0; at -= 3) digits.insert(std::size_t(at), "\u202f");
+  return digits;
 }
 
 }  // namespace breccia::pictures

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "breccia/shown_unit.hpp"
 #include "breccia/types.hpp"
 #include "caster.hpp"
 
@@ -61,21 +62,14 @@ std::string font_file();
 /// From the base line of a text to the middle of its height, in type sizes.
 constexpr double middle_of_type = 0.36;
 
-/// The factor and the unit with the prefix that bring numbers up to `largest` into 1 to 1000; for areas and volumes,
-/// the side of a square or cube of that size.
-struct ShownUnit {
-  double factor = 1;
-  std::string unit;  ///< empty for a pure number
-};
-ShownUnit shown_unit(const std::string& si_unit, double largest);
-
 /// Round numbers within [low, high], about `count` of them, and their labels with just enough digits.
 struct Ticks {
   std::vector<double> at;
   std::vector<std::string> label;
   double step = 1;
 };
-Ticks nice_ticks(double low, double high, int count);
+/// Of whole numbers the least step is 1.
+Ticks nice_ticks(double low, double high, int count, double least_step = 0);
 /// The multiples of `step` within [low, high].
 Ticks ticks_at(double low, double high, double step);
 
@@ -84,5 +78,7 @@ std::string title(std::string name, const std::string& unit);
 
 /// printf's %.*g.
 std::string significant(double value, int digits);
+/// "12 345", with narrow blanks.
+std::string whole_number(double value);
 
 }  // namespace breccia::pictures

@@ -32,12 +32,6 @@ std::string quantity_title(std::string name) {
   return name + (squared ? " squared " : " ") + symbol + (squared && !symbol.empty() ? "²" : "");
 }
 
-std::string whole_number(double v) {
-  std::string digits = std::to_string(std::llround(v));
-  for (int at = int(digits.size()) - 3; at > 0; at -= 3) digits.insert(std::size_t(at), "\u202f");
-  return digits;
-}
-
 double sum(const std::vector<double>& v) {
   double s = 0;
   for (const double x : v)

@@ -29,7 +29,7 @@ struct Rose {
   std::vector<Sector> sectors;
 };
 Rose rose_of(const CurvesFile& table, const std::string& name);
-/// Writes <stem>.png and <stem>.svg and adds them to `made`.
+/// Writes <stem>.png, <stem>.svg and <stem>.pdf and adds them to `made`.
 void write_rose(const Rose& rose, const Sheet& sheet, const std::filesystem::path& stem,
                 std::vector<std::filesystem::path>& made);
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "report/methods.hpp"
+#include "report/quantity.hpp"
+
+namespace breccia::report {
+namespace {
+
+/// The row of the largest size; NaN counts for nothing.
+std::size_t row_of_largest(const std::vector<double>& values) {
+  std::size_t best = 0;
+  double largest = -1;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (std::abs(values[k]) > largest) {
+      largest = std::abs(values[k]);
+      best = k;
+    }
+  return best;
+}
+
+const Curve* first_of(const RunFiles& run, std::initializer_list<const char*> names) {
+  for (const char* name : names)
+    if (const Curve* c = run.curve(name); c && !c->values.empty()) return c;
+  return nullptr;
+}
+
+}  // namespace
+
+std::optional<StrainRate> strain_rate(const RunFiles& run) {
+  const Curve* strain = first_of(run, {"platen_strain", "diametral_strain", "axial_strain"});
+  const Curve* load = first_of(run, {"platen_stress", "load", "tensile_stress", "cell_axial_stress", "axial_stress"});
+  const Curve* time = first_of(run, {"time"});
+  if (!strain || !load || !time) return {};
+  const std::size_t peak = row_of_largest(load->values);
+  const double span = time->values[peak] - time->values[0];
+  const double rate = std::abs(strain->values[peak] - strain->values[0]) / span;
+  if (!(span > 0) || !std::isfinite(rate)) return {};
+  return StrainRate{strain->name, rate};
+}
+
+double inertial_number(const RunFiles& run, double rate) {
+  const double pressure = run.number("stress.largest_mean_stress_Pa"),
+               density = number_of(run.given("material.density")), radius = run.number("packing.radius_mean.got");
+  if (!(pressure > 0)) return std::numeric_limits<double>::quiet_NaN();
+  return rate * 2 * radius * std::sqrt(density / pressure);
+}
+
+}  // namespace breccia::report
