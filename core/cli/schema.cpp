@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include "calibrate/calibration.hpp"
+#include "calibrate/calibration_schema.hpp"
 #include "cli/verbs.hpp"
 #include "config/json_schema.hpp"
 #include "study/study_schema.hpp"
@@ -12,7 +12,7 @@ namespace breccia::cli {
 int schema(const std::string& of) {
   const Registry registry;
   const Json schema = of == "sweep"         ? study_json_schema(registry)
-                      : of == "calibration" ? json_schema(calibration_schema(), registry, "Breccia calibration")
+                      : of == "calibration" ? calibration_json_schema(registry)
                                             : json_schema(workflow_schema(), registry);
   fmt::print("{}\n", schema.dump(1));
   return ok;
