@@ -48,7 +48,7 @@ class Finder {
     if (out_.has_model) {
       model();
       intervals();
-      if (c_.targets.size() > 1) front();
+      front();
     }
     check();
     say();
@@ -135,7 +135,7 @@ class Finder {
     }
     const auto& at_best = distances.back();
     contradict_ = std::any_of(at_best.begin(), at_best.end(), [](double d) { return d > far_off; });
-    if (!contradict_) return;
+    if (!contradict_ || c_.targets.size() == 1) return;
     for (const std::size_t i : not_dominated(distances)) {
       ParetoPoint p{{}, {}, distances[i]};
       for (std::size_t k = 0; k < c_.parameters.size(); ++k)

@@ -9,18 +9,30 @@
 namespace breccia::testing {
 namespace {
 
-/// A column of 54 spheres that fails; strengths scatter from bond to bond, hence from seed to seed.
+/// A small crystal that fails; strengths scatter from bond to bond, hence from seed to seed.
 class Calibrate : public SweepProgram {
  protected:
   void SetUp() override {
     SweepProgram::SetUp();
     if (!fs::exists(BRECCIA_BINARY_DIR "/lib/breccia/breccia_search.kriging.so"))
       GTEST_SKIP() << "built without OpenTURNS";
-    write(
-        "rock.yaml",
-        "base: small.yaml\n"
-        "contact_law: {tensile_strength: {mean: 40 MPa, distribution: weibull, modulus: 8}, shear_strength: 200 MPa}\n"
-        "protocol: {max_strain: 1 %, stop_stress_ratio: 0.7}\nrenderers: []\n");
+    write("rock.yaml",
+          R"(packing: {type: regular, lattice: fcc, container: {shape: box, size: [6 mm, 6 mm, 9 mm]}, radius: 1 mm}
+material: {density: 2650 kg/m3}
+bonding: {tolerance: 0.01}
+contact_law:
+  type: elastic_brittle
+  bond_modulus: 10 GPa
+  stiffness_ratio: 3.7
+  tensile_strength: {mean: 40 MPa, distribution: weibull, modulus: 8}
+  shear_strength: {mean: 40 MPa, distribution: weibull, modulus: 8}
+  friction: 0.5
+damping: {translational: 0.7, rotational: 0.7}
+protocol: {type: uniaxial_compression, platen_velocity: 0.4 m/s, platen_stiffness: 15 MN/m, max_strain: 3 %, stop_stress_ratio: 0.7}
+sampling: {every_steps: 5}
+postprocessors: [{type: stress}, {type: bagi_strain}, {type: elastic_constants}]
+renderers: []
+)");
   }
 
   /// Two parameters, two targets; `budget` and whatever stands below it.
@@ -36,7 +48,9 @@ class Calibrate : public SweepProgram {
          << " Pa, scatter: 5 %}\n"
             "parameters:\n"
             "  modulus: {path: contact_law.bond_modulus, from: 4 GPa, to: 60 GPa, scale: log}\n"
-            "  strength: {path: contact_law.tensile_strength.mean, from: 8 MPa, to: 200 MPa, scale: log}\n"
+            "  strength: {paths: [contact_law.tensile_strength.mean, contact_law.shear_strength.mean], from: 8 MPa, "
+            "to: 200 MPa, "
+            "scale: log}\n"
          << more;
     return text.str();
   }
@@ -50,7 +64,8 @@ class Calibrate : public SweepProgram {
     for (const std::string seed : {"501", "502", "503", "504", "505"}) {
       const std::string out = "known" + seed;
       EXPECT_EQ(call("run rock.yaml --threads 1 --output " + out + " --set seed=" + seed +
-                     " --set 'contact_law.bond_modulus=17 GPa' --set 'contact_law.tensile_strength.mean=60 MPa'")
+                     " --set 'contact_law.bond_modulus=17 GPa' --set 'contact_law.tensile_strength.mean=60 MPa' --set "
+                     "'contact_law.shear_strength.mean=60 MPa'")
                     .code,
                 0);
       const Json summary = Json::parse(content(folder_ / out / "summary.json"));
@@ -72,14 +87,14 @@ TEST_F(Calibrate, FindsParametersThatAreKnown) {
   ASSERT_EQ(r.code, 0) << r.text;
   const Json o = outcome("out");
   EXPECT_EQ(o["runs"], 24);
-  EXPECT_EQ(o["failed_runs"], 0);
+  EXPECT_EQ(o["failed_runs"], 0) << r.text;
   EXPECT_EQ(o["complete"], true);
   const Json &modulus = o["parameters"]["modulus"], &strength = o["parameters"]["strength"];
   // Its scatter is 2 % and nothing in the specimen's stiffness depends on the seed.
   EXPECT_NEAR(modulus["best"].get<double>(), 17e9, 0.03 * 17e9);
   EXPECT_LE(modulus["interval_90"][0].get<double>(), 17e9);
   EXPECT_GE(modulus["interval_90"][1].get<double>(), 17e9);
-  // The weakest of a few bonds in a row decides: that scatters by some ten per cent.
+  // Of some 70 bonds the weaker ones decide: that scatters by some ten per cent.
   EXPECT_NEAR(strength["best"].get<double>(), 60e6, 0.15 * 60e6);
   EXPECT_LE(strength["interval_90"][0].get<double>(), 60e6);
   EXPECT_GE(strength["interval_90"][1].get<double>(), 60e6);
@@ -112,7 +127,7 @@ TEST_F(Calibrate, FindsParametersThatAreKnown) {
   EXPECT_EQ(outcome("out"), o);
 }
 
-TEST_F(Calibrate, TheSamePathOnAnyNumberOfJobsAndAfterAKill) {
+TEST_F(Calibrate, TheSamePathOnAnyNumberOfJobsAfterAKillAndPieceByPiece) {
   write("c.yaml", file(20e9, 50e6, small_budget));
   ASSERT_EQ(call("calibrate c.yaml --output one --jobs 1").code, 0);
   const std::string runs = content(folder_ / "one/runs.csv");
@@ -136,45 +151,42 @@ TEST_F(Calibrate, TheSamePathOnAnyNumberOfJobsAndAfterAKill) {
   EXPECT_EQ(content(folder_ / "two/runs.csv"), runs);
   EXPECT_EQ(outcome("two"), outcome("one"));
   for (const auto& [file, time] : before) EXPECT_EQ(fs::last_write_time(file), time) << file;
-}
 
-TEST_F(Calibrate, PieceByPieceElsewhere) {
-  write("c.yaml", file(20e9, 50e6, small_budget));
-  ASSERT_EQ(call("calibrate c.yaml --output one --jobs 2").code, 0);
-  std::size_t made = 0;
-  for (int batch = 0; batch < 10; ++batch) {
-    const Result listed = call("calibrate c.yaml --output two --cases");
+  // Run by run, as a workflow manager would: the first point, then the batch that follows from it.
+  const Rows all = rows_of(runs);
+  for (const std::size_t known : {3u, 6u}) {
+    const Result listed = call("calibrate c.yaml --output three --cases");
     ASSERT_EQ(listed.code, 0) << listed.text;
     const Rows rows = rows_of(listed.text);
-    std::size_t open = 0;
-    for (const auto& row : rows)
-      if (row.at("status") != "finished") {
-        ++open;
-        EXPECT_EQ(call("calibrate c.yaml --output two --case " + row.at("case")).code, 0);
-      }
-    if (open == 0) break;
-    made += open;
+    ASSERT_EQ(rows.size(), known);
+    for (std::size_t k = 0; k < known; ++k) {
+      EXPECT_EQ(rows[k].at("folder"), all[k].at("folder"));
+      if (rows[k].at("status") == "finished") continue;
+      const Result one = call("calibrate c.yaml --output three --case " + rows[k].at("case"));
+      EXPECT_EQ(one.code, 0) << one.text;
+    }
   }
-  EXPECT_EQ(made, 14u);
-  EXPECT_EQ(call("calibrate c.yaml --output two --case 99").code, 2);
-  ASSERT_EQ(call("calibrate c.yaml --output two --collect").code, 0);
-  EXPECT_EQ(content(folder_ / "two/runs.csv"), content(folder_ / "one/runs.csv"));
+  EXPECT_EQ(call("calibrate c.yaml --output three --case 99").code, 2);
+  ASSERT_EQ(call("calibrate c.yaml --output three --collect").code, 1);  // not yet at its end
+  EXPECT_EQ(outcome("three")["complete"], false);
+  EXPECT_EQ(outcome("three")["runs"], 6);
+  EXPECT_EQ(call("report two").code, 2);
 }
 
 TEST_F(Calibrate, SmallSpecimensFirst) {
   write("c.yaml", file(20e9, 50e6,
-                       "budget:\n  runs: 20\n  check_packings: 2\n  stages:\n"
-                       "    - {name: fast, share: 60 %, set: {protocol.platen_velocity: 0.4 m/s}}\n"
+                       "budget:\n  runs: 16\n  check_packings: 2\n  stages:\n"
+                       "    - {name: fast, share: 60 %, set: {protocol.platen_velocity: 0.8 m/s}}\n"
                        "    - {name: slow, share: 40 %}\n"));
   const Result r = call("calibrate c.yaml --output out --jobs 2");
   ASSERT_EQ(r.code, 0) << r.text;
   const Rows rows = rows_of(content(folder_ / "out/points.csv"));
   std::size_t fast = 0;
   for (const auto& row : rows) fast += row.at("stage") == "fast";
-  EXPECT_EQ(fast, 10u);  // of 16 points: 20 runs less 2 for the check and 2 more at the start
+  EXPECT_EQ(fast, 7u);  // of 12 points: 16 runs less 2 for the check and 2 more at the start
   EXPECT_EQ(rows.back().at("stage"), "slow");
   EXPECT_EQ(rows.back().at("why"), "check");
-  EXPECT_FALSE(has(content(folder_ / "out/best/test.yaml"), "platen_velocity: 0.4"));
+  EXPECT_FALSE(has(content(folder_ / "out/best/test.yaml"), "platen_velocity: 0.8"));
 }
 
 TEST_F(Calibrate, WhatIsWrongWithTheTaskIsSaid) {
@@ -206,7 +218,7 @@ TEST_F(Calibrate, WhatIsWrongWithTheTaskIsSaid) {
 
 TEST_F(Calibrate, FailedRunsAreKeptAndTold) {
   // No balance of energy closes to a part in a billion: with such a limit every run fails, with a larger one none.
-  std::string text = file(20e9, 50e6, "budget: {runs: 20, start_packings: 3, check_packings: 2, batch: 3}\n");
+  std::string text = file(20e9, 50e6, "budget: {runs: 14, start_packings: 2, check_packings: 1, batch: 3}\n");
   const std::string after = "from: 8 MPa, to: 200 MPa, scale: log}\n";
   text.insert(text.find(after) + after.size(),
               "  limit: {path: engine.energy_error_limit, from: 1e-12, to: 1, scale: log, start: 0.5}\n");
@@ -216,7 +228,7 @@ TEST_F(Calibrate, FailedRunsAreKeptAndTold) {
   const Json o = outcome("out");
   const std::size_t told = o["failed_runs"].get<std::size_t>();
   EXPECT_GT(told, 0u);
-  EXPECT_LT(told, 15u);
+  EXPECT_LT(told, 14u);
   EXPECT_NE(r.text.find("runs have failed; runs.csv says which and why"), std::string::npos) << r.text;
   const auto failures = [&] {
     std::size_t failed = 0;
@@ -256,18 +268,18 @@ TEST_F(Calibrate, MistakesHaveOneLineEach) {
   refused("value: 5e+07 Pa", "value: 50 MPas", ":4:37: targets.ucs.value: `MPas` is not a known unit");
   refused("scatter: 5 %", "scatter: 0 %", ":4:56: targets.ucs.scatter: the scatter must be above 0");
   refused("scatter: 5 %", "scatter: 5 GPa, weight: 2",
-          ":4:8: targets.ucs: has both `scatter` and `weight`; at most one of them is possible");
-  refused("file: rock.yaml", "file: rok.yaml", ":1:26: workflows.test.file: there is no file rok.yaml");
+          ":4:63: targets.ucs: give only one of `scatter` and `weight`, not `scatter` and `weight`");
+  refused("file: rock.yaml", "file: rok.yaml", ":1:26: workflows.test.file: cannot read rok.yaml: no such file");
   refused("to: 60 GPa", "to: 60 MPa",
           ":6:62: parameters.modulus.to: must be in the unit of `from`, `4 GPa`, not `60 MPa`");
   refused("from: 4 GPa", "from: 0 GPa", ":6:51: parameters.modulus.from: must be above 0 on a log scale, not `0 GPa`");
   refused("from: 4 GPa, to: 60 GPa", "from: 4 mm, to: 60 mm",
           ":6:51: contact_law.bond_modulus: `mm` is a length; a pressure such as Pa, MPa, GPa or psi is needed");
   refused("contact_law.bond_modulus", "contact_law.bond_modulos",
-          ":6:19: contact_law.bond_modulos: is not a known parameter; did you mean `bond_modulus`?");
+          ":6:31: contact_law.bond_modulos: is not a known parameter; did you mean `bond_modulus`?");
   refused(
       "contact_law.bond_modulus", "contact_law.tensile_strength.mean",
-      ":7:20: parameters.strength: `contact_law.tensile_strength.mean` gets its value from the parameter `modulus` as "
+      ":7:21: parameters.strength: `contact_law.tensile_strength.mean` gets its value from the parameter `modulus` as "
       "well");
   refused(
       "runs: 14", "runs: 6",

@@ -13,15 +13,14 @@
 #include <openturns/Function.hxx>
 #include <openturns/JansenSensitivityAlgorithm.hxx>
 #include <openturns/Log.hxx>
-#include <openturns/Normal.hxx>
 #include <openturns/RandomGenerator.hxx>
-#include <openturns/RandomWalkMetropolisHastings.hxx>
 #include <openturns/ResourceMap.hxx>
 #include <openturns/TBBImplementation.hxx>
 #include <openturns/Uniform.hxx>
 
 #include "breccia/search.hpp"
 #include "candidates.hpp"
+#include "drawing.hpp"
 #include "surrogate.hpp"
 
 namespace {
@@ -176,31 +175,23 @@ class Kriging final : public Search {
   }
 
   std::vector<SearchPoint> plausible(std::size_t count, Host& host) const override {
-    const SearchPoint start = best(host);
     seed(4);
-    const std::size_t dimension = task_.dimension;
-    const OT::Function log_density(Called(dimension, 1, [&](const OT::Sample& at) {
-      OT::Sample logs(at.getSize(), 1);
+    const auto log_density = [&](const OT::Sample& at) {
+      OT::Point logs(at.getSize());
       for (std::size_t t = 0; t < models_.size(); ++t) {
         const Predicted p = models_[t](at);
         for (OT::UnsignedInteger i = 0; i < at.getSize(); ++i) {
           const double variance = square(task_.targets[t].scatter) + square(p.deviation[i]);
-          logs(i, 0) -= 0.5 * (square(p.value[i] - task_.targets[t].wanted) / variance + std::log(variance));
+          logs[i] -= 0.5 * (square(p.value[i] - task_.targets[t].wanted) / variance + std::log(variance));
         }
       }
       return logs;
-    }));
-    // It finds the length of its steps itself; four in five points of the walk are left out, for they are much alike.
-    OT::RandomWalkMetropolisHastings walk(
-        log_density, OT::Interval(dimension), ot(start),
-        OT::Normal(OT::Point(dimension), OT::Point(dimension, 0.1), OT::CorrelationMatrix(dimension)));
-    walk.setBurnIn(800);
-    walk.setThinning(5);
-    std::vector<SearchPoint> drawn;
-    while (drawn.size() < count) {
+    };
+    const OT::Sample points = kriging::drawn_from(log_density, task_.dimension, count, task_.seed + 31, [&] {
       if (host.cancelled()) throw Cancelled();
-      drawn.push_back(ours(walk.getRealization()));
-    }
+    });
+    std::vector<SearchPoint> drawn;
+    for (std::size_t i = 0; i < count; ++i) drawn.push_back(ours(points[i]));
     return drawn;
   }
 
