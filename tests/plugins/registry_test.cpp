@@ -25,8 +25,8 @@ class RegistryTest : public ::testing::Test {
 
 TEST_F(RegistryTest, FindsEveryKindByFileName) {
   const Registry registry({{folder.path(), ""}});
-  EXPECT_EQ(registry.kinds(),
-            (std::vector<std::string>{"packing", "contact_law", "protocol", "postprocessor", "output", "renderer", "search"}));
+  EXPECT_EQ(registry.kinds(), (std::vector<std::string>{"packing", "contact_law", "protocol", "postprocessor", "output",
+                                                        "renderer", "search"}));
   for (const std::string& kind : registry.kinds()) EXPECT_EQ(registry.names(kind), std::vector<std::string>{"tiny"});
   EXPECT_TRUE(registry.warnings().empty());
   EXPECT_TRUE(registry.problems().empty());
@@ -109,9 +109,10 @@ TEST_F(RegistryTest, AnUnknownKindGetsASuggestion) {
   const Registry registry({{folder.path(), ""}});
   EXPECT_EQ(refusal([&] { registry.names("contact_laws"); }),
             "no kind of plugin called `contact_laws`; did you mean `contact_law`? known: packing, contact_law, "
-            "protocol, postprocessor, output, renderer");
+            "protocol, postprocessor, output, renderer, search");
   EXPECT_EQ(refusal([&] { registry.documentation("zzz", "tiny"); }),
-            "no kind of plugin called `zzz`; known: packing, contact_law, protocol, postprocessor, output, renderer");
+            "no kind of plugin called `zzz`; known: packing, contact_law, protocol, postprocessor, output, renderer, "
+            "search");
 }
 
 }  // namespace breccia::test
