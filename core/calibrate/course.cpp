@@ -24,11 +24,11 @@ CoursePlan plan_course(const LoadedCalibration& c) {
                     check = workflows * std::size_t(b.check_packings), each = workflows * std::size_t(b.packings);
   const std::size_t runs = std::size_t(b.runs), least = start + (needed - 1) * each + check;
   if (runs < least)
-    throw UserError(std::to_string(runs) + " runs are too few for " + std::to_string(c.parameters.size()) +
-                    " parameters in " + std::to_string(workflows) + (workflows == 1 ? " workflow" : " workflows") +
-                    ": at least " + std::to_string(least) + " are needed (" + std::to_string(start) +
-                    " at the start, " + std::to_string(check) + " for the check, " + std::to_string(each) +
-                    " for each point between)");
+    throw UserError(std::to_string(runs) + (runs == 1 ? " run is" : " runs are") + " too few for " +
+                    std::to_string(c.parameters.size()) + " parameters in " + std::to_string(workflows) +
+                    (workflows == 1 ? " workflow" : " workflows") + ": at least " + std::to_string(least) +
+                    " are needed (" + std::to_string(start) + " at the start, " + std::to_string(check) +
+                    " for the check, " + std::to_string(each) + " for each point between)");
   const std::size_t points = 1 + (runs - start - check) / each;
   CoursePlan plan{{}, start + (points - 1) * each + check};
   std::size_t left = points;

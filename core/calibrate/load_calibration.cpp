@@ -10,6 +10,7 @@
 #include "config/result_name.hpp"
 #include "config/suggest.hpp"
 #include "config/units.hpp"
+#include "workflow/read_workflow.hpp"
 
 namespace breccia {
 
@@ -285,7 +286,7 @@ class Checker {
       const auto says = [](const std::string& text, std::initializer_list<const char*> words) {
         return std::any_of(words.begin(), words.end(), [&](const char* w) { return text.find(w) != text.npos; });
       };
-      const std::string& last = split_path(p.paths.front()).back().name;
+      const std::string last = split_path(p.paths.front()).back().name;
       const bool stiff = says(last, {"modulus", "stiffness"}) && !says(last, {"ratio"});
       const bool strong = !stiff && says(last, {"strength", "cohesion"}) && !says(last, {"ratio"});
       for (std::size_t t = 0; t < loaded_.targets.size(); ++t) {
@@ -332,10 +333,22 @@ PluginChoice usual_search(const Registry& registry, const std::string& file) {
   return schema.load(read_config("search: {type: kriging}\n", file, schema.documentation().root, registry)).search;
 }
 
+void refuse_others(const BaseChain& chain, const std::string& file) {
+  const YamlPtr tree = chain.files.empty() ? nullptr : chain.files[0].tree;
+  if (!tree || is_calibration(chain)) return;
+  const auto refuse = [&](const char* what, const char* verb) {
+    throw UserError(file + ": this is a " + what + ", not a calibration: `breccia " + verb + " " + file + "` runs it");
+  };
+  if (tree->find("packing") || tree->find("protocol") || tree->find("base")) refuse("workflow", "run");
+  if (tree->find("workflow") || tree->find("grid") || tree->find("list") || tree->find("latin_hypercube"))
+    refuse("study", "sweep");
+}
+
 }  // namespace
 
 LoadedCalibration load_calibration(const fs::path& file, Registry& registry) {
   const BaseChain chain = single_file(read_text(file), file.string(), "calibration");
+  refuse_others(chain, file.string());
   if (chain.whole)
     for (const Json& plugin : read_section(chain, calibration_schema(), "plugins"))
       registry.add(plugin.at("path").get<std::string>());

@@ -68,7 +68,10 @@ BaseChain not_a_study(BaseChain chain, const fs::path& file) {
 
 bool is_calibration(const BaseChain& chain) {
   const YamlPtr tree = chain.files.empty() ? nullptr : chain.files[0].tree;
-  return tree && tree->find("targets") && (tree->find("parameters") || tree->find("workflows"));
+  if (!tree) return false;
+  int own = 0;
+  for (const char* key : {"targets", "parameters", "budget"}) own += tree->find(key) != nullptr;
+  return own >= 2;  // one of them may be written wrongly
 }
 
 bool is_study(const BaseChain& chain) {

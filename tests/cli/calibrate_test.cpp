@@ -281,6 +281,11 @@ TEST_F(Calibrate, MistakesHaveOneLineEach) {
       "contact_law.bond_modulus", "contact_law.tensile_strength.mean",
       ":7:21: parameters.strength: `contact_law.tensile_strength.mean` gets its value from the parameter `modulus` as "
       "well");
+  refused("contact_law.bond_modulus", "seed",
+          ":6:19: parameters.modulus: the seed is not sought: it tells the packings apart");
+  refused("targets:", "targts:",
+          ":1:1: targets: is missing: what was measured, by names of your own\n"
+          "c.yaml:2:1: targts: is not a known parameter; did you mean `targets`?");
   refused(
       "runs: 12", "runs: 6",
       ":8:9: budget: 6 runs are too few for 2 parameters in 1 workflow: at least 8 are needed (3 at the start, 1 for "
@@ -305,6 +310,9 @@ TEST_F(Calibrate, IsNoWorkflow) {
   EXPECT_EQ(run.code, 2);
   EXPECT_EQ(run.text, "c.yaml: this is a calibration, not a workflow: `breccia calibrate c.yaml` runs it\n");
   EXPECT_EQ(call("validate c.yaml").text, "c.yaml: ok, a calibration of at most 12 runs\n");
+  const Result workflow = call("calibrate rock.yaml");
+  EXPECT_EQ(workflow.code, 2);
+  EXPECT_EQ(workflow.text, "rock.yaml: this is a workflow, not a calibration: `breccia run rock.yaml` runs it\n");
 }
 
 }  // namespace

@@ -274,9 +274,15 @@ class Kriging final : public Search {
             sum += square(distance(t, p[t].value[i] + p[t].deviation[i] * normal[j * targets + t]));
           gain += std::max(0.0, least - sum) / double(draws);
         }
-        for (std::size_t t = 0; t < targets; ++t) unknown += square(p[t].deviation[i] / task_.targets[t].scatter);
-        // Where nothing promises anything, the least known counts.
-        scores[i] = (gain + 1e-9 * unknown / (1 + unknown)) * trust(at, i, taken);
+        double misfit = 0;
+        for (std::size_t t = 0; t < targets; ++t) {
+          const double doubt = square(p[t].deviation[i] / task_.targets[t].scatter);
+          unknown += doubt;
+          misfit += square(distance(t, p[t].value[i])) / (1 + doubt);
+        }
+        // Where nothing promises anything, what agrees and is little known counts; then what is least known.
+        const double agrees = std::exp(-0.5 * misfit) + 1e-9;
+        scores[i] = (gain + 1e-9 * agrees * unknown / (1 + unknown)) * trust(at, i, taken);
       }
       return scores;
     };
