@@ -43,7 +43,7 @@ class Checkpoints {
   Host& host_;
   Clock::time_point last_ = Clock::now();
   RunProgress from_;
-  const char* strain_curve_ = nullptr;
+  std::optional<std::string> strain_curve_;
   std::size_t rows_ = 0;                 ///< of the curves, when the strain was looked at
   double strain_ = 0, from_strain_ = 0;  ///< axial; when the last one was written
   bool impossible_ = false, failing_ = false;

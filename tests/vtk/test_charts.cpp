@@ -261,6 +261,18 @@ TEST_F(Charts, WhatCurvesJsonSaysAmissIsTakenFromTheHeader) {
   EXPECT_FALSE(fs::is_empty(to_.path()));
 }
 
+/// A test that nobody knows: what its curves are is said by their roles.
+TEST_F(Charts, CurvesOfOtherNamesAreFoundByTheirRoles) {
+  run(".", 1e6, "squeeze,push_Pa,cracked");
+  from_.file("curves.json", R"([{"header": "squeeze", "name": "squeeze", "unit": "1", "role": "machine_strain"},
+      {"header": "push_Pa", "name": "push", "unit": "Pa", "role": "machine_stress"},
+      {"header": "cracked", "name": "cracked", "unit": "1"}])");
+  ASSERT_EQ(render().size(), 3u);
+  const std::string svg = bytes(to_.path() / "stress_strain.svg");
+  for (const char* part : {"squeeze", "push", "MPa"}) EXPECT_NE(svg.find(part), std::string::npos) << part;
+  EXPECT_EQ(svg.find("cracked"), std::string::npos) << "is nothing in particular";
+}
+
 TEST_F(Charts, MohrCirclesAreRoundAndTheLineTouchesThem) {
   // On one line: sigma_1 = 20 MPa + 4 sigma_3, hence c = 5 MPa and sin(phi) = 0.6.
   const auto test = [&](const std::string& name, double confining, double axial) {

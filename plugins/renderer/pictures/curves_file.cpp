@@ -40,7 +40,8 @@ std::vector<Curve> described_curves(std::filesystem::path file, const std::vecto
         });
     if (at == described.end()) return {};  // of another table
     const std::string name = text(*at, "name"), unit = text(*at, "unit");
-    curves.push_back({name.empty() ? header : name, unit == "1" ? "" : unit, {}, text(*at, "doc")});
+    const std::string role = at->contains("role") ? text(*at, "role") : std::string(role::of_name(name));
+    curves.push_back({name.empty() ? header : name, unit == "1" ? "" : unit, {}, text(*at, "doc"), role});
   }
   return curves;
 }
@@ -66,7 +67,8 @@ Curve curve_named(const std::string& header) {
       length = suffix.size();
       unit = shown;
     }
-  return {length > 0 ? header.substr(0, header.size() - length - 1) : header, unit, {}};
+  const std::string name = length > 0 ? header.substr(0, header.size() - length - 1) : header;
+  return {name, unit, {}, {}, std::string(role::of_name(name))};
 }
 
 /// Levenshtein's distance.

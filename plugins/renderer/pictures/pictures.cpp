@@ -193,7 +193,7 @@ class Pictures final : public Renderer {
       const bool load = has_load(curves, config_.columns);
       if (load) add(Motif::load_curve);
       // A disc on its edge has means along its axis, too, which say nothing.
-      if (has_stress_strain(curves, config_.columns) && (!load || curves.find("platen_strain")))
+      if (has_stress_strain(curves, config_.columns) && (!load || curves.find_role({role::machine_strain})))
         add(Motif::stress_strain);
     }
     if (usual.empty() && !results.tables.empty()) add(Motif::tables);
