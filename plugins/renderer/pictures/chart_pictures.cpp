@@ -62,7 +62,7 @@ std::string mark_of(const std::vector<double>& y, std::size_t at) {
   return "highest ";
 }
 
-/// One quantity over another with its peak marked, and damage on the right axis if it is recorded.
+/// One quantity over another with its peak marked, and damage on the right axis if there is some.
 Chart curve_with_peak(const Curve& across, const Curve& up, const Curve* damage) {
   const bool down = goes_down(up), back = down && goes_down(across);
   Shown x = shown(across), y = shown(up);
@@ -72,7 +72,7 @@ Chart curve_with_peak(const Curve& across, const Curve& up, const Curve* damage)
   chart.x_title = axis_title(across, x.unit, back);
   chart.left_title = axis_title(up, y.unit, down);
   chart.lines.push_back({title(up.name, ""), x.value, y.value, {blue}});
-  if (damage) {
+  if (damage && largest(damage->value) > 0) {
     const Shown d = shown(*damage);
     chart.right_title = axis_title(*damage, d.unit);
     chart.right_from_zero = damage->unit.empty();

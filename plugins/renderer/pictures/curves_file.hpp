@@ -36,7 +36,4 @@ class CurvesFile {
   std::vector<Curve> curves_;
 };
 
-/// "a, b, c, d and 20 more": a warning is read when it is short.
-std::string first_of(const std::vector<std::string>& names);
-
 }  // namespace breccia::pictures
