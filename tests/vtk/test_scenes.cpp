@@ -195,6 +195,41 @@ TEST_F(Scenes, ABeamLiesAndItsLoadPointsDown) {
   EXPECT_NEAR(x / ink, 0.5 * (margin_left + plain.width - margin_right), 2);
 }
 
+/// It bends by more than its depth, and lies as before when its load is taken away.
+TEST_F(Scenes, ABeamStaysInThePictureWhileItBendsAndAfterItsRelease) {
+  MadeScene scene(Outline::box, {2e-3, 2e-3, 42e-3});
+  for (int k = 0; k < 21; ++k) scene.add({0, 0, 1e-3 + 2e-3 * k}, 1e-3);
+  scene.held.assign(21, 0);
+  scene.held.front() = scene.held.back() = dof::translation;
+  auto output = make<Output>(BRECCIA_VTK_PLUGIN, {});
+  output->begin(from_.path(), host_);
+  scene.applied.assign(21, Vec3::Zero());
+  scene.applied[10] = Vec3(3, 0, 0);
+  scene.displacement[10] = Vec3(3e-3, 0, 0);
+  scene.position[10].x() = 3e-3;
+  scene.write_frame(*output);
+  scene.applied.assign(21, Vec3::Zero());
+  scene.write_frame(*output);
+  output->finish();
+  const Json displacement = {{"show", "displacement"}, {"time", false}};
+  Json before = displacement;
+  before["frame"] = 0;
+  const Image loaded = drawn(before), released = drawn(displacement);
+  // The end of the colours is where the middle is, apart from the bar at the right.
+  const auto middle = [](const Image& image) {
+    double yellow = 0;
+    for (std::size_t k = 0; k < image.pixel.size(); ++k) {
+      const auto& p = image.pixel[k];
+      yellow += double(k % std::size_t(image.width)) < 0.8 * image.width && p[0] > 150 && p[2] < 80;
+    }
+    return yellow;
+  };
+  EXPECT_GT(middle(loaded), 20);
+  EXPECT_GT(middle(released), 20);
+  EXPECT_GT(released.width, released.height) << "lying";
+  EXPECT_GT(released.share_of(70, 70, 74), 0.003) << "what is held";
+}
+
 TEST_F(Scenes, HeldEndsThatMoveApartHavePlatesAndAreSeenFromTheFront) {
   MadeScene scene(Outline::box, {20e-3, 20e-3, 40e-3});
   scene.add_corners(4e-3);
@@ -241,6 +276,74 @@ TEST_F(Scenes, OfCracksThatHideEachOtherASlabIsShown) {
   EXPECT_GT(slab, 0.02);
   EXPECT_LT(slab, 0.35);
   EXPECT_LT(covered({{"since", 2e-3}}), 0.02) << "later than all: the legend's dot remains";
+}
+
+/// A disc has an edge: as long as the disc is wide.
+TEST_F(Scenes, CracksAreSeenFromTheirEdge) {
+  MadeScene scene(Outline::box, {20e-3, 20e-3, 20e-3});
+  scene.add_corners(4e-3);
+  scene.write(from_.path());
+  const double legend = drawn({{"show", "cracks"}, {"camera", {{"view", "front"}}}}).share_of(0, 114, 178);
+  scene.add_crack({0, 0, 10e-3}, Vec3::UnitZ());
+  Folder with;
+  scene.write(with.path());
+  render(with.path(), to_.path(),
+         {{"size", 400}, {"pictures", {{{"show", "cracks"}, {"camera", {{"view", "front"}}}}}}}, host_);
+  const Image image = read(to_.path() / "cracks.png");
+  // 20 mm are 342 of 400 pixels: a line of 8 mm by some one and a half pixels.
+  const double line = (image.share_of(0, 114, 178) - legend) * double(image.pixel.size());
+  EXPECT_GT(line, 137);
+  EXPECT_LT(line, 137 * 3);
+}
+
+TEST_F(Scenes, CracksAreAsLargeAsTheEnergyTheyReleased) {
+  MadeScene scene(Outline::box, {20e-3, 20e-3, 20e-3});
+  scene.add_corners(3e-3);
+  scene.add_crack({-5e-3, 0, 10e-3}, Vec3::UnitY(), 1e-6);
+  scene.add_crack({5e-3, 0, 10e-3}, Vec3::UnitY(), 4e-6);
+  scene.add_crack({0, 0, 16e-3}, Vec3::UnitY(), -9e-6);
+  scene.write(from_.path());
+  // Blue pixels in the left and right half of the box, and above both.
+  const auto areas = [&](const Json& size_by) {
+    Json picture = {{"show", "cracks"}, {"camera", {{"view", "front"}}}};
+    if (!size_by.is_null()) picture["size_by"] = size_by;
+    const Image image = drawn(picture);
+    const double box = 342;  // pixels, of 400: from 12 to the right and from 46 upwards
+    std::array<double, 3> n{};
+    for (std::size_t k = 0; k < image.pixel.size(); ++k) {
+      const auto& p = image.pixel[k];
+      const double x = (double(k % std::size_t(image.width)) - 12) / box,
+                   z = (double(k / std::size_t(image.width)) - 46) / box;
+      if (x < 1 && p[2] > p[0] + 60) ++n[z > 0.66 ? 2 : x > 0.5];
+    }
+    return n;
+  };
+  const auto usual = areas(nullptr), by_energy = areas("energy");
+  EXPECT_EQ(areas("area"), usual);
+  EXPECT_NEAR(usual[0] / usual[1], 1, 0.02);
+  EXPECT_GT(usual[2], 0.5 * usual[0]);
+  EXPECT_NEAR(by_energy[1] / usual[1], 1, 0.02) << "the largest";
+  EXPECT_NEAR(by_energy[0] / by_energy[1], 0.25, 0.03);
+  EXPECT_EQ(by_energy[2], 0) << "it took energy";
+}
+
+TEST_F(Scenes, WithoutReleasedEnergySizesByItAreRefused) {
+  MadeScene scene(Outline::box, {20e-3, 20e-3, 20e-3});
+  scene.add_corners(3e-3);
+  scene.add_crack({0, 0, 10e-3}, Vec3::UnitY(), 1e-6);
+  scene.write(from_.path());
+  const fs::path file = from_.path() / "bonds_000000.vtp";
+  std::string text = bytes(file);
+  const std::string name = "released_energy";
+  ASSERT_NE(text.find(name), text.npos);
+  text.replace(text.find(name), name.size(), "something_other");
+  std::ofstream(file, std::ios::binary) << text;
+  EXPECT_THROW(render(from_.path(), to_.path(),
+                      {{"size", 300}, {"pictures", {{{"show", "cracks"}, {"size_by", "energy"}}}}}, host_),
+               UserError);
+  ASSERT_EQ(host_.warnings.size(), 1u);
+  EXPECT_NE(host_.warnings[0].find("`size_by: energy` needs the bond field `released_energy`"), std::string::npos)
+      << host_.warnings[0];
 }
 
 TEST_F(ScenesOfCracks, AreSizedByAField) {

@@ -86,7 +86,7 @@ Viewpoint::Viewpoint(const Spheres& spheres, const TestSetup& setup, const Direc
   if (setup.specimen) {
     const SpecimenShape& s = *setup.specimen;
     // A slender beam bends by more than a tenth of its depth.
-    const Vec3 room = setup.loads.empty() ? Vec3(0.1 * s.extent) : Vec3::Constant(0.1 * setup.size()),
+    const Vec3 room = setup.held.empty() ? Vec3(0.1 * s.extent) : Vec3::Constant(0.1 * setup.size()),
                centre = s.base + 0.5 * s.height * s.axis, half = 0.5 * s.extent + room;
     box_low = centre - half;
     box_high = centre + half;

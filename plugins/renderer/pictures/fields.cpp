@@ -112,7 +112,8 @@ Values field_of(vtkFieldData* data, const std::string& name, int dimension) {
     std::vector<std::string> known;
     for (int k = 0; k < data->GetNumberOfArrays(); ++k)
       if (data->GetArray(k) && data->GetArrayName(k)) known.push_back(data->GetArrayName(k));
-    const auto nearest = nearest_of(name, known);
+    auto nearest = nearest_of(name, known);
+    if (!nearest) nearest = nearest_of(name.substr(0, name.rfind('_')), known);  // of another component
     throw UserError("there is no field `" + name + "`; " +
                     (nearest ? "did you mean `" + known[*nearest] + "`?" : "there are: " + first_of(known)));
   }
