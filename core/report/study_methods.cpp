@@ -23,7 +23,10 @@ std::string values_text(const StudyColumn& column, const std::vector<Json>& valu
   const bool numbers = std::all_of(values.begin(), values.end(), [](const Json& v) { return v.is_number(); });
   std::vector<std::string> words;
   if (!numbers) {
-    for (const Json& v : values) words.push_back(v.is_string() ? "“" + v.get<std::string>() + "”" : v.dump());
+    for (const Json& v : values) {  // of a file's path its name: where it lay is nobody's business
+      const std::string word = v.is_string() ? v.get<std::string>() : v.dump();
+      words.push_back(v.is_string() ? "“" + word.substr(word.rfind('/') + 1) + "”" : word);
+    }
     return words.size() > most_listed ? std::to_string(words.size()) + " values" : listed(words);
   }
   std::vector<double> sorted;

@@ -226,7 +226,7 @@ class AxialTest : public Protocol {
   /// For how long a confined specimen must be seen at rest before it is loaded, in times that a wave takes along it. A
   /// body that swings as a whole passes through its rest, and the resultants on its particles are small all the while;
   /// what is loaded then shows a modulus off by a third (`concrete_triaxial_4.5MPa`: 39 GPa, at rest 29).
-  static constexpr double travels_at_rest = 10;
+  static constexpr double travels_at_rest = 10, patience = 60;  ///< the second: after which this is given up
 
   static bool in_stress(const Stage& stage) { return stage.axial_stress || stage.deviatoric_stress; }
 
@@ -310,8 +310,16 @@ class AxialTest : public Protocol {
     if (since < s_.ramp_time) return false;
     const double off = std::abs(stress(control) - *now.confining_pressure),
                  scale = std::max(*now.confining_pressure, 1e-3 * stiffness_.modulus * 1e-2);
-    if (!(off < 0.005 * scale && s_.quiet)) s_.calm_since = control.time();
-    if (control.time() - s_.calm_since >= travels_at_rest * travel_) return s_.quiet;
+    const bool calm = off < 0.005 * scale && s_.quiet;
+    if (!calm) s_.calm_since = control.time();
+    if (calm && control.time() - s_.calm_since >= travels_at_rest * travel_) return true;
+    if (calm && since > s_.ramp_time + patience * travel_) {
+      host_->warn("protocol: the specimen still swings under the confining pressure " + number(patience) +
+                  " times as long after it was applied as a wave takes along the specimen: the axial load begins on a "
+                  "specimen that is not at rest, and what is read off its first part depends on when. Raise "
+                  "damping.translational, or lower platen_velocity");
+      return true;
+    }
     if (since > 20 * s_.ramp_time)
       throw UserError(
           "protocol: the specimen does not carry the confining pressure: the platen stress is still away from it after "
