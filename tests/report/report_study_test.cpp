@@ -56,7 +56,8 @@ TEST_F(ReportOfStudy, CasesMeansAndFailures) {
     EXPECT_EQ(html.find(tag), std::string::npos) << tag;
   const std::string methods = content(folder_ / "study/methods.md");
   EXPECT_NE(
-      methods.find("The study had 8 cases, of which 4 have results. They differed in file (“small.csv” and “damaged.csv”)"),
+      methods.find(
+          "The study had 8 cases, of which 4 have results. They differed in file (“small.csv” and “damaged.csv”)"),
       std::string::npos)
       << methods;
   for (const char* part : {"and bond modulus (10 and 20 GPa).", "There were 2 packings, by as many seeds"})
