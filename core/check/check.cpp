@@ -7,6 +7,7 @@
 #include "breccia/postprocessor.hpp"
 #include "breccia/protocol.hpp"
 #include "breccia/renderer.hpp"
+#include "breccia/search.hpp"
 #include "check/example.hpp"
 #include "check/law_check.hpp"
 
@@ -19,6 +20,7 @@ CheckFindings check_plugin(const Registry& registry, const std::string& kind, co
   if (kind == Protocol::kind) return check_protocol(registry, name, parameters, user);
   if (kind == Postprocessor::kind) return check_postprocessor(registry, name, parameters, user);
   if (kind == Output::kind) return check_output(registry, name, parameters, user);
+  if (kind == Search::kind) return check_search(registry, name, parameters, user);
   BRECCIA_ASSERT(kind == Renderer::kind);
   return check_renderer(registry, name, parameters, user);
 }

@@ -27,5 +27,7 @@ CheckFindings check_output(const Registry& registry, const std::string& name,
                            const std::vector<std::string>& parameters, const Host& user);
 CheckFindings check_renderer(const Registry& registry, const std::string& name,
                              const std::vector<std::string>& parameters, const Host& user);
+CheckFindings check_search(const Registry& registry, const std::string& name,
+                           const std::vector<std::string>& parameters, const Host& user);
 
 }  // namespace breccia

@@ -19,6 +19,7 @@ const std::map<std::string, Offer>& vocabulary() {
   static const std::map<std::string, Offer> known{
       {"FILE", {{}, {"yaml", "yml"}, false, ""}},   // a workflow
       {"STUDY", {{}, {"yaml", "yml"}, false, ""}},  //
+      {"CALIBRATION", {{}, {"yaml", "yml"}, false, ""}},
       {"TARGET", {{}, {"yaml", "yml"}, false, "contact_law"}},
       {"SOURCE", {{}, {"pvd", "vtp"}, true, ""}},
       {"DIR", {{}, {}, true, ""}},
@@ -29,7 +30,7 @@ const std::map<std::string, Offer>& vocabulary() {
       {"HTML", {{}, {"html"}, false, ""}},
       {"KIND", {{}, {}, false, "KIND"}},
       {"PLUGIN", {{}, {}, false, "KIND/NAME"}},
-      {"TOPIC", {{"workflow", "sweep"}, {}, false, "KIND/NAME"}},
+      {"TOPIC", {{"workflow", "sweep", "calibration"}, {}, false, "KIND/NAME"}},
       {"RENDERER", {{}, {}, false, "renderer"}},
   };
   return known;

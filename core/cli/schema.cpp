@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include "calibrate/calibration_schema.hpp"
 #include "cli/verbs.hpp"
 #include "config/json_schema.hpp"
 #include "study/study_schema.hpp"
@@ -10,7 +11,10 @@ namespace breccia::cli {
 
 int schema(const std::string& of) {
   const Registry registry;
-  fmt::print("{}\n", (of == "sweep" ? study_json_schema(registry) : json_schema(workflow_schema(), registry)).dump(1));
+  const Json schema = of == "sweep"         ? study_json_schema(registry)
+                      : of == "calibration" ? calibration_json_schema(registry)
+                                            : json_schema(workflow_schema(), registry);
+  fmt::print("{}\n", schema.dump(1));
   return ok;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "calibrate/calibration.hpp"
 #include "cli/plugin_name.hpp"
 #include "config/listed_plugin.hpp"
 #include "study/study.hpp"
@@ -41,9 +42,10 @@ Documentation keys_of() {
 Topic topic_named(const Registry& registry, const std::string& written) {
   if (written == "workflow") return {"", written, keys_of<Workflow>()};
   if (written == "sweep") return {"", written, keys_of<Study>()};
+  if (written == "calibration") return {"", written, keys_of<Calibration>()};
   const auto [kind, name] =
-      plugin_named(registry, written, {"workflow", "sweep"},
-                   "describe takes KIND/NAME (see `breccia list`), NAME, KIND, `workflow` or `sweep`");
+      plugin_named(registry, written, {"workflow", "sweep", "calibration"},
+                   "describe takes KIND/NAME (see `breccia list`), NAME, KIND, `workflow`, `sweep` or `calibration`");
   Topic topic{kind, name, registry.documentation(kind, name)};
   if (is_listed(kind)) topic.doc.root = as_listed(topic.doc.root);
   const PluginInfo& info = registry.info(kind, name);

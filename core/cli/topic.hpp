@@ -12,7 +12,7 @@ struct Topic {
   std::string origin = {};  ///< lines on where a plugin comes from that is not Breccia's; else empty
 };
 
-/// A plugin, or the keys of workflows or studies. UserError for what is neither.
+/// A plugin, or the keys of workflows, studies or calibrations. UserError for what is neither.
 Topic topic_named(const Registry& registry, const std::string& written);
 
 }  // namespace breccia::cli

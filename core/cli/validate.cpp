@@ -4,6 +4,7 @@
 #include <set>
 
 #include "breccia/utf8.hpp"
+#include "calibrate/course.hpp"
 #include "cli/verbs.hpp"
 #include "config/base_chain.hpp"
 #include "run/load_workflow.hpp"
@@ -16,6 +17,15 @@ int validate(const std::vector<std::filesystem::path>& files, const std::vector<
   int code = ok;
   for (const auto& file : files) {
     try {
+      if (is_calibration(follow_bases(read_text(file), file.string()))) {
+        if (!variant.empty())
+          throw UserError(file.string() + ": is a calibration, which says itself which variants it runs: leave out --variant");
+        const CalibrationTrials trials(file);
+        for (const std::string& doubt : trials.warnings()) fmt::print(stderr, "warning: {}\n", printable(doubt));
+        fmt::print("{}: ok, a calibration of at most {} runs\n", printable(file.string()),
+                   plan_course(trials.calibration()).runs);
+        continue;
+      }
       if (is_study(follow_bases(read_text(file), file.string()))) {
         if (!variant.empty())
           throw UserError(file.string() +

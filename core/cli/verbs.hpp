@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "calibrate/calibration_request.hpp"
 #include "drive/drive_request.hpp"
 #include "run/run_request.hpp"
 #include "study/study_request.hpp"
@@ -46,6 +47,10 @@ struct SweepArguments : StudyRequest {
   bool cases = false;  ///< only lists them
 };
 
+struct CalibrateArguments : CalibrationRequest {
+  bool cases = false;  ///< only lists the runs
+};
+
 struct CheckArguments {
   std::string plugin;  ///< KIND/NAME or NAME
   std::vector<std::filesystem::path> plugins;
@@ -69,6 +74,7 @@ int compare(const CompareArguments& arguments);
 int report(const ReportArguments& arguments);
 int drive(const DriveArguments& arguments);
 int sweep(const SweepArguments& arguments);
+int calibrate(const CalibrateArguments& arguments);
 int schema(const std::string& of);
 
 }  // namespace breccia::cli

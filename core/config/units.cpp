@@ -128,6 +128,18 @@ Quantity read_quantity(std::string_view written, const std::string& si_unit) {
 
 double parse_quantity(std::string_view text, const std::string& si_unit) { return read_quantity(text, si_unit).si; }
 
+std::string si_unit_of(std::string_view written) {
+  const std::string_view text = trimmed(written);
+  const std::string_view unit = trimmed(text.substr(read_number(text).length));
+  if (unit.empty()) return "1";
+  if (const std::string problem = unit_syntax_problem(unit); !problem.empty()) throw UserError(problem);
+  const auto found = units::find_unit(unit);
+  if (!found) throw UserError(in_ticks(unit) + " is not a known unit");
+  const units::Family* family = units::family_of(found->dimension);
+  if (!family) throw UserError(in_ticks(unit) + " measures nothing that has a name here; write the value in another unit");
+  return family->si;
+}
+
 std::string format_quantity(double si, const std::string& si_unit) {
   const std::string number = format_number(si);
   return si_unit == "1" ? number : number + " " + si_unit;

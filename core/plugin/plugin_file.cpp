@@ -15,6 +15,7 @@
 #include "breccia/postprocessor.hpp"
 #include "breccia/protocol.hpp"
 #include "breccia/renderer.hpp"
+#include "breccia/search.hpp"
 #include "hash/sha256.hpp"
 #include "plugin/elf_probe.hpp"
 
@@ -88,8 +89,8 @@ BrecciaPluginDescriptor read_descriptor(const ElfProbe& elf, const ElfProbe::Sym
 }  // namespace
 
 const std::vector<std::string>& plugin_kinds() {
-  static const std::vector<std::string> kinds = {Packing::kind,       ContactLaw::kind, Protocol::kind,
-                                                 Postprocessor::kind, Output::kind,     Renderer::kind};
+  static const std::vector<std::string> kinds = {Packing::kind, ContactLaw::kind, Protocol::kind, Postprocessor::kind,
+                                                 Output::kind,  Renderer::kind,   Search::kind};
   return kinds;
 }
 

@@ -91,6 +91,10 @@ void refuse_what_is_no_result(const fs::path& folder) {
   if (kind_of_results(folder) == "comparison")
     throw UserError(
         name + " holds a comparison, which is a report already (comparison.md); give the folder of a run or a study");
+  if (kind_of_results(folder) == "calibration")
+    throw UserError(
+        name + " holds a calibration, which has a report already (report.md); give the folder of a run or a study, " +
+        "such as one of " + (folder / "cases").string());
   if (!is_study_folder(folder) && !fs::exists(folder / "summary.json")) (void)read_run_files(folder);  // says why
 }
 

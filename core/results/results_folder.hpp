@@ -37,7 +37,7 @@ class FolderLock {
 /// What a results folder is for.
 struct FolderRules {
   bool overwrite = false;    ///< earlier results of Breccia may be replaced
-  std::string kind = "run";  ///< `run`, `study` or `comparison`: none replaces one of another kind
+  std::string kind = "run";  ///< `run`, `study`, `calibration` or `comparison`: none replaces one of another kind
   std::vector<std::string> expected = {"curves.csv", "curves.json", "resolved.yaml", "run.log",
                                        "summary.json"};  ///< will be written
   std::string parts = {};  ///< a folder within whose parts look after themselves (the cases of a study); not touched

@@ -12,6 +12,7 @@
 #include "hash/sha256.hpp"
 #include "results/curve_table.hpp"
 #include "results/summary_keys.hpp"
+#include "study/input_hash.hpp"
 #include "workflow/plugin_section.hpp"
 
 namespace breccia {
@@ -39,26 +40,6 @@ std::string fit_for_a_name(const std::string& text) {
   while (!out.empty() && (out[0] == '.' || out[0] == '-')) out.erase(0, 1);
   return out;
 }
-
-/// What was read from a file is what counts, not where it lies.
-Json content_of(const fs::path& file) {
-  std::error_code error;
-  if (!fs::is_regular_file(file, error)) return valid_utf8(file.string());
-  return sha256(read_bytes(file));
-}
-
-std::string input_hash(Json config, const Registry& registry) {
-  for (const char* key : {"name", "description", "reference", "provenance"}) config.erase(key);
-  if (config.contains("plugins") && config["plugins"].empty()) config.erase("plugins");
-  each_value(config, workflow_schema(), registry, [](const ParamSpec& spec, const std::string&, Json& value) {
-    if (spec.type == ParamType::path) value = content_of(value.get<std::string>());
-  });
-  return sha256(json_text(config));
-}
-
-}  // namespace
-
-namespace {
 
 /// A study that gives `variants` a name means that variant of the workflow: it is laid over the workflow before the
 /// study's other values, as `--variant` would have it. `{name: changes}` is a variant that the study itself defines.

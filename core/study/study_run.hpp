@@ -2,13 +2,10 @@
 /// Studies and their cases, run.
 #pragma once
 
-#include "run/terminal.hpp"
-#include "study/case_folder.hpp"
+#include "study/run_in_folder.hpp"
 #include "study/study_request.hpp"
 
 namespace breccia {
-
-enum class StudyEnd { finished, some_not, stopped };
 
 /// The folder of the whole study.
 std::filesystem::path study_folder(const StudyRequest& request, const Sweep& sweep);
@@ -27,8 +24,5 @@ StudyEnd run_case(const StudyRequest& request, const Sweep& sweep, const CaseToR
 
 /// Runs the cases that have not finished, each by a process of this program, and gathers all.
 StudyEnd run_study(const StudyRequest& request, const Sweep& sweep, const SweepPlan& plan, Host& host);
-
-/// What both say of results whose inputs have changed since; `which` "finished results in X are".
-UserError other_inputs(const std::string& which);
 
 }  // namespace breccia

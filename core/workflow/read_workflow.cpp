@@ -56,6 +56,9 @@ LoadedWorkflow loaded_from(Json config, Places places, const BaseChain& chain, c
 
 /// What a person who mixes the two up should read, in place of a list of unknown keys.
 BaseChain not_a_study(BaseChain chain, const fs::path& file) {
+  if (is_calibration(chain))
+    throw UserError(file.string() + ": this is a calibration, not a workflow: `breccia calibrate " + file.string() +
+                    "` runs it");
   if (is_study(chain))
     throw UserError(file.string() + ": this is a study, not a workflow: `breccia sweep " + file.string() + "` runs it");
   return chain;
@@ -63,8 +66,14 @@ BaseChain not_a_study(BaseChain chain, const fs::path& file) {
 
 }  // namespace
 
+bool is_calibration(const BaseChain& chain) {
+  const YamlPtr tree = chain.files.empty() ? nullptr : chain.files[0].tree;
+  return tree && tree->find("targets") && (tree->find("parameters") || tree->find("workflows"));
+}
+
 bool is_study(const BaseChain& chain) {
   const YamlPtr tree = chain.files.empty() ? nullptr : chain.files[0].tree;
+  if (is_calibration(chain)) return false;
   return tree && (tree->find("workflow") || tree->find("workflows")) && !tree->find("packing") &&
          !tree->find("protocol");
 }

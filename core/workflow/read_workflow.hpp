@@ -30,6 +30,8 @@ LoadedWorkflow read_resolved(const std::string& text, const std::filesystem::pat
 
 /// Whether the first file is a study for `breccia sweep`, by its keys.
 bool is_study(const BaseChain& chain);
+/// The same of a calibration for `breccia calibrate`.
+bool is_calibration(const BaseChain& chain);
 
 /// Names of the variants of a workflow file and its bases.
 std::vector<std::string> workflow_variants(const std::filesystem::path& file);

@@ -50,6 +50,24 @@ TEST(Units, ConvertsUnitsThatAreNotDecimal) {
 }
 
 // A prefix moves the decimal point: the result is the double nearest to the decimal number, as the compiler's is.
+TEST(Units, TellTheSiUnitOfWhatIsWritten) {
+  for (const auto& [text, unit] : {std::pair{"120 MPa", "Pa"},
+                                   {"70 psi", "Pa"},
+                                   {"0.25", "1"},
+                                   {"8 %", "1"},
+                                   {"3 kN", "N"},
+                                   {"30 deg", "rad"},
+                                   {"-2.5e-3 mm", "m"}})
+    EXPECT_EQ(si_unit_of(text), unit) << text;
+  const auto problem = [](const std::string& text) {
+    try {
+      return si_unit_of(text);
+    } catch (const UserError& error) { return std::string(error.what()); }
+  };
+  EXPECT_EQ(problem("12 MPas"), "`MPas` is not a known unit");
+  EXPECT_EQ(problem("strong"), "`strong` is not a number");
+}
+
 TEST(Units, DecimalPrefixesRoundOnce) {
   for (int k = 1; k < 2000; ++k) {
     const std::string digits = std::to_string(k);

@@ -25,8 +25,9 @@ class Trials:
         self.program, self.build, self.scratch = program, build, scratch
         self.counts, self.help = {}, {}
         keys = {what: {p["name"] for p in json.loads(self.says("describe", what, "--format", "json"))["parameters"]}
-                for what in ("workflow", "sweep")}
-        self.workflow_keys, self.study_keys = keys["workflow"], keys["sweep"] - keys["workflow"]
+                for what in ("workflow", "sweep", "calibration")}
+        self.workflow_keys = keys["workflow"]
+        self.study_keys = (keys["sweep"] | keys["calibration"]) - keys["workflow"]
 
     def says(self, *arguments):
         return subprocess.run([self.program, *arguments], capture_output=True, text=True, check=True).stdout
@@ -174,7 +175,7 @@ class Trials:
         if unknown:
             return f"breccia {verb}: knows no {', '.join(unknown)}"
         readable = [w for w in words[1:] if w.endswith(".yaml") and (folder / w).exists()]
-        if verb in ("run", "validate", "sweep") and readable:
+        if verb in ("run", "validate", "sweep", "calibrate") and readable:
             settings = [w for k, word in enumerate(words[:-1]) if word in ("--set", "--variant") for w in (word, words[k + 1])]
             code, said = self.call([self.program, "validate", *readable, *settings], folder)
         elif verb in ("describe", "list", "drive", "schema") or (verb == "check" and "--plugin" not in words):

@@ -32,12 +32,12 @@ TEST_P(Shipped, Holds) {
     EXPECT_TRUE(has(out.text, "    ok  ")) << out.text;
     ++count;
   }
-  if (kind == "output" || kind == "renderer") return;  // a build without VTK has none
+  if (kind == "output" || kind == "renderer" || kind == "search") return;  // a build without VTK, OpenTURNS has none
   EXPECT_GE(count, kind == "packing" ? 5u : 7u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Plugins, Shipped,
-                         ::testing::Values("packing", "protocol", "postprocessor", "output", "renderer"),
+                         ::testing::Values("packing", "protocol", "postprocessor", "output", "renderer", "search"),
                          [](const auto& its) { return its.param; });
 
 struct Mistake {
@@ -119,6 +119,19 @@ TEST(KindMistakes, OfOutputsAndRenderers) {
   finds("renderer", {{"source", "FAILED  leaves the run alone"},
                      {"left", "FAILED  draws a run"},
                      {"nothing", "FAILED  draws a run"}});
+}
+
+TEST(KindMistakes, OfSearches) {
+  finds("search", {{"outside", "FAILED  points in the cube"},
+                   {"few", "FAILED  points in the cube"},
+                   {"again", "FAILED  new points"},
+                   {"lost", "FAILED  finds what is wanted"},
+                   {"sure", "FAILED  says how sure it is"},
+                   {"spread", "FAILED  points that agree"},
+                   {"idle", "FAILED  sensitivities"},
+                   {"clock", "FAILED  the same when told again"},
+                   {"gaps", "FAILED  values that are missing"},
+                   {"exception", "FAILED  answers"}});
 }
 
 TEST(Check, SaysWhatToWrite) {

@@ -60,7 +60,7 @@ TEST(NewProject, OfEveryOtherKindPassesItsOwnTests) {
   const fs::path prefix = installed(folder);
   // One project around them: the compiler is looked at once. Unoptimised code is compiled fast.
   std::string around = "cmake_minimum_required(VERSION 3.25)\nproject(all LANGUAGES CXX)\nenable_testing()\n";
-  for (const char* kind : {"packing", "protocol", "postprocessor", "output", "renderer"}) {
+  for (const char* kind : {"packing", "protocol", "postprocessor", "output", "renderer", "search"}) {
     const std::string name = std::string("my_") + kind;
     run(within(folder) + "'" + (prefix / "bin/breccia").string() + "' new " + kind + " " + name, folder / "said");
     around += "add_subdirectory(" + name + ")\n";
@@ -69,7 +69,7 @@ TEST(NewProject, OfEveryOtherKindPassesItsOwnTests) {
   run(within(folder) + cmake + " -S . -B build -DCMAKE_BUILD_TYPE=None -DCMAKE_PREFIX_PATH='" + prefix.string() +
           "' && " + cmake + " --build build -j 2 && '" BRECCIA_CTEST "' --test-dir build --output-on-failure",
       folder / "log");
-  EXPECT_TRUE(has(read(folder / "log"), "100% tests passed, 0 tests failed out of 10")) << read(folder / "log");
+  EXPECT_TRUE(has(read(folder / "log"), "100% tests passed, 0 tests failed out of 12")) << read(folder / "log");
 }
 
 TEST(NewProject, WithoutTheProgramItsTestsFailAndSayWhy) {

@@ -26,7 +26,7 @@ class RegistryTest : public ::testing::Test {
 TEST_F(RegistryTest, FindsEveryKindByFileName) {
   const Registry registry({{folder.path(), ""}});
   EXPECT_EQ(registry.kinds(),
-            (std::vector<std::string>{"packing", "contact_law", "protocol", "postprocessor", "output", "renderer"}));
+            (std::vector<std::string>{"packing", "contact_law", "protocol", "postprocessor", "output", "renderer", "search"}));
   for (const std::string& kind : registry.kinds()) EXPECT_EQ(registry.names(kind), std::vector<std::string>{"tiny"});
   EXPECT_TRUE(registry.warnings().empty());
   EXPECT_TRUE(registry.problems().empty());

@@ -88,6 +88,31 @@ for (const [section, parameter, value, expected] of in_study) {
     fail(`${section} ${parameter}: ${JSON.stringify(value)}: the schema: ${study(text) || 'is fine'}; expected: ${expected || 'fine'}`);
 }
 
+// The same of a calibration.
+const calibration = validator([breccia, 'schema', 'calibration']);
+const sought = (more) => ({ workflows: { ucs: { file: 'w.yaml' } }, budget: { runs: 20 },
+  targets: { ucs: { key: 'peak_stress_Pa', value: '100 MPa', scatter: '5 %' } },
+  parameters: { strength: { path: 'contact_law.tensile_strength', from: '1 MPa', to: '90 MPa', scale: 'log' } }, ...more });
+const strength = (path) => ({ parameters: { strength: { ...path, from: '1 MPa', to: '90 MPa' } } });
+const in_workflow = (set) => ({ workflows: { ucs: { file: 'w.yaml', set } } });
+const in_calibration = [
+  [{}, ''], [{ budget: { runs: 0 } }, 'refused'], [{ budget: {} }, 'refused'], [{ targets: {} }, 'refused'],
+  [strength({ path: 'contact_law[1].cohesion' }), ''], [strength({ path: 'contact_law.cohesoin' }), 'refused'],
+  [strength({ paths: ['contact_law.0.contact_modulus', 'contact_law.1.bond_modulus'] }), ''],
+  [strength({ paths: ['contact_law.0.contact_modulos'] }), 'refused'], [strength({}), 'refused'],
+  [in_workflow({ outputs: [] }), ''], [in_workflow({ 'protocol.max_strain': '1 %' }), ''],
+  [in_workflow({ 'protocol.max_strain': '1 MPa' }), 'refused'], [in_workflow({ 'protocol.max_strein': '1 %' }), 'refused'],
+  [{ budget: { runs: 20, stages: [{ name: 'all', share: '100 %', set: { 'packing.particles': 300 } }] } }, ''],
+  [{ budget: { runs: 20, stages: [{ name: 'all', share: 1, set: { 'packing.particels': 300 } }] } }, 'refused'],
+  [{ budget: { runs: 20, stages: [{ name: 'all', share: '120 %' }] } }, 'refused'],
+  [{ search: { type: 'krigin' } }, 'refused'], [{ sed: 1 }, 'refused'],
+];
+for (const [more, expected] of in_calibration) {
+  const reason = calibration(YAML.stringify(sought(more)));
+  if (Boolean(reason) !== Boolean(expected))
+    fail(`${JSON.stringify(more)}: the schema: ${reason || 'is fine'}; expected: ${expected || 'fine'}`);
+}
+
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'breccia-schema-'));
 process.on('exit', () => fs.rmSync(folder, { recursive: true }));
 
@@ -110,4 +135,4 @@ for (const [place, value, expected] of cases) {
 }
 for (const [change, expected] of in_variant)
   compare(`variant ${JSON.stringify(change)}`, { ...YAML.parse(brittle), variants: { other: change } }, ['--variant', 'other'], expected);
-console.log(`${cases.length + in_variant.length + in_study.length} values`);
+console.log(`${cases.length + in_variant.length + in_study.length + in_calibration.length} values`);

@@ -62,10 +62,13 @@ def write_keys(stage, program):
     workflow = ("# Keys of a workflow\n\nMade of `breccia describe workflow`; [workflow.schema.json](../workflow.schema.json) says the same to "
                 "an editor. Sections of plugins: [Plugins](../plugins/index.md).\n\n")
     study = "# Keys of a study\n\nMade of `breccia describe sweep`; how a study is written: [Parameter studies](../sweeps.md).\n\n"
+    calibration = ("# Keys of a calibration\n\nMade of `breccia describe calibration`; how one is written: "
+                   "[Calibration](../calibration.md).\n\n")
     wide = "---\nhide: [toc]\n---\n"  # these pages are one table
     stage.write("reference/workflow.md", wide + workflow + program.keys("workflow"))
     stage.write("reference/sweep.md", wide + study + program.keys("sweep"))
-    for schema in ("workflow", "sweep"):
+    stage.write("reference/calibration.md", wide + calibration + program.keys("calibration"))
+    for schema in ("workflow", "sweep", "calibration"):
         stage.copy(f"docs/{schema}.schema.json", f"{schema}.schema.json")
 
 

@@ -24,6 +24,7 @@ MENU = [
         ("Choosing a contact law", "docs/laws.md"),
         ("Materials and scatter", "docs/materials.md"),
         ("Parameter studies", "docs/sweeps.md"),
+        ("Calibration", "docs/calibration.md"),
         ("Results in Python", "docs/python.md"),
         ("What is measured", "docs/measurements.md"),
         ("Reports", "docs/reports.md"),
@@ -34,6 +35,7 @@ MENU = [
     ("Reference", [
         ("Workflow", "generated/reference/workflow.md"),
         ("Study", "generated/reference/sweep.md"),
+        ("Calibration keys", "generated/reference/calibration.md"),
         ("Plugins", "plugins"),
     ]),
     ("Methods", [

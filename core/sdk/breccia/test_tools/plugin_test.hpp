@@ -53,6 +53,13 @@ class PluginTest {
     return results;
   }
 
+  /// Runs a calibration of the project; the folder of the results.
+  std::filesystem::path calibrate(const std::string& calibration) {
+    const std::filesystem::path results = next("calibration");
+    breccia({"calibrate", (project_ / calibration).string(), "--output", results.string()});
+    return results;
+  }
+
   /// Leads one pair along a path (the text of the file that `breccia drive --path` takes); the curves of that.
   TableFile drive(const std::string& law, const std::string& path, const std::vector<std::string>& options = {}) {
     const std::filesystem::path results = next("drive"), file = results.string() + ".csv";

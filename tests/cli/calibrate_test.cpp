@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Calibrations that are run: parameters that are known are found again, by the same path however often it is
+// interrupted.
+#include <cmath>
+#include <csignal>
+
+#include "sweep_support.hpp"
+
+namespace breccia::testing {
+namespace {
+
+/// A small crystal that fails; strengths scatter from bond to bond, hence from seed to seed.
+class Calibrate : public SweepProgram {
+ protected:
+  void SetUp() override {
+    SweepProgram::SetUp();
+    if (!fs::exists(BRECCIA_BINARY_DIR "/lib/breccia/breccia_search.kriging.so"))
+      GTEST_SKIP() << "built without OpenTURNS";
+    write("rock.yaml",
+          R"(packing: {type: regular, lattice: fcc, container: {shape: box, size: [6 mm, 6 mm, 9 mm]}, radius: 1 mm}
+material: {density: 2650 kg/m3}
+bonding: {tolerance: 0.01}
+contact_law:
+  type: elastic_brittle
+  bond_modulus: 10 GPa
+  stiffness_ratio: 3.7
+  tensile_strength: {mean: 40 MPa, distribution: weibull, modulus: 8}
+  shear_strength: {mean: 40 MPa, distribution: weibull, modulus: 8}
+  friction: 0.5
+damping: {translational: 0.7, rotational: 0.7}
+protocol: {type: uniaxial_compression, platen_velocity: 0.4 m/s, platen_stiffness: 15 MN/m, max_strain: 3 %, stop_stress_ratio: 0.7}
+sampling: {every_steps: 5}
+postprocessors: [{type: stress}, {type: bagi_strain}, {type: elastic_constants}]
+renderers: []
+)");
+  }
+
+  /// Two parameters, two targets; `budget` and whatever stands below it.
+  std::string file(double modulus, double strength, const std::string& more) const {
+    std::ostringstream text;
+    text << "workflows: {test: {file: rock.yaml}}\n"
+            "targets:\n"
+            "  E: {key: youngs_modulus_Pa, value: "
+         << modulus
+         << " Pa, scatter: 2 %}\n"
+            "  ucs: {key: peak_stress_Pa, value: "
+         << strength
+         << " Pa, scatter: 5 %}\n"
+            "parameters:\n"
+            "  modulus: {path: contact_law.bond_modulus, from: 4 GPa, to: 60 GPa, scale: log}\n"
+            "  strength: {paths: [contact_law.tensile_strength.mean, contact_law.shear_strength.mean], from: 8 MPa, "
+            "to: 200 MPa, "
+            "scale: log}\n"
+         << more;
+    return text.str();
+  }
+
+  struct Rock {
+    double modulus = 0, strength = 0;
+  };
+  /// Means of some seeds with 17 GPa and 60 MPa.
+  Rock known_rock() const {
+    Rock mean;
+    for (const std::string seed : {"501", "502", "503", "504", "505"}) {
+      const std::string out = "known" + seed;
+      EXPECT_EQ(call("run rock.yaml --threads 1 --output " + out + " --set seed=" + seed +
+                     " --set 'contact_law.bond_modulus=17 GPa' --set 'contact_law.tensile_strength.mean=60 MPa' --set "
+                     "'contact_law.shear_strength.mean=60 MPa'")
+                    .code,
+                0);
+      const Json summary = Json::parse(content(folder_ / out / "summary.json"));
+      mean.modulus += summary["youngs_modulus_Pa"].get<double>() / 5;
+      mean.strength += summary["peak_stress_Pa"].get<double>() / 5;
+    }
+    return mean;
+  }
+  Json outcome(const std::string& folder) const { return Json::parse(content(folder_ / folder / "calibration.json")); }
+  static bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
+};
+
+constexpr const char* small_budget = "budget: {runs: 12, start_packings: 3, check_packings: 1, batch: 3}\n";
+
+TEST_F(Calibrate, FindsParametersThatAreKnown) {
+  const Rock rock = known_rock();
+  write("c.yaml", file(rock.modulus, rock.strength, "budget: {runs: 20, start_packings: 3, check_packings: 3}\n"));
+  const Result r = call("calibrate c.yaml --output out --jobs 2");
+  ASSERT_EQ(r.code, 0) << r.text;
+  const Json o = outcome("out");
+  EXPECT_EQ(o["runs"], 20);
+  EXPECT_EQ(o["failed_runs"], 0) << r.text;
+  EXPECT_EQ(o["complete"], true);
+  const Json &modulus = o["parameters"]["modulus"], &strength = o["parameters"]["strength"];
+  // Its scatter is 2 % and nothing in the specimen's stiffness depends on the seed.
+  EXPECT_NEAR(modulus["best"].get<double>(), 17e9, 0.03 * 17e9);
+  EXPECT_LE(modulus["interval_90"][0].get<double>(), 17e9);
+  EXPECT_GE(modulus["interval_90"][1].get<double>(), 17e9);
+  // Of some 70 bonds the weaker ones decide: that scatters by some ten per cent.
+  EXPECT_NEAR(strength["best"].get<double>(), 60e6, 0.15 * 60e6);
+  EXPECT_LE(strength["interval_90"][0].get<double>(), 60e6);
+  EXPECT_GE(strength["interval_90"][1].get<double>(), 60e6);
+  EXPECT_EQ(modulus["unit"], "Pa");
+  // Stiffness is the modulus alone; strength is the bonds' alone, but for what the modulus leaves of inertia.
+  EXPECT_GT(modulus["sensitivity"]["E"]["total"].get<double>(), 0.9);
+  EXPECT_LT(strength["sensitivity"]["E"]["total"].get<double>(), 0.1);
+  EXPECT_GT(strength["sensitivity"]["ucs"]["total"].get<double>(), 0.7);
+  EXPECT_LT(std::abs(o["targets"]["E"]["residual_over_scatter_of_experiment"].get<double>()), 2);
+
+  // A workflow to go on with: it gives what was wanted.
+  const Result again = call("run out/best/test.yaml --threads 1 --output again");
+  ASSERT_EQ(again.code, 0) << again.text;
+  EXPECT_NEAR(Json::parse(content(folder_ / "again/summary.json"))["youngs_modulus_Pa"].get<double>(), rock.modulus,
+              0.03 * rock.modulus);
+  for (const char* f : {"runs.csv", "points.csv", "report.md", "breccia.json"})
+    EXPECT_TRUE(fs::exists(folder_ / "out" / f)) << f;
+  const Rows rows = rows_of(content(folder_ / "out/runs.csv"));
+  ASSERT_EQ(rows.size(), 20u);
+  std::set<std::string> seeds;
+  for (const auto& row : rows) {
+    seeds.insert(row.at("seed"));
+    EXPECT_TRUE(fs::exists(folder_ / "out/cases" / row.at("folder") / "summary.json"));
+  }
+  EXPECT_EQ(seeds.size(), 20u) << "each run has a packing of its own";
+
+  // All of it once more: nothing is run.
+  const Result collected = call("calibrate c.yaml --output out --collect");
+  EXPECT_EQ(collected.code, 0) << collected.text;
+  EXPECT_EQ(outcome("out"), o);
+}
+
+TEST_F(Calibrate, TheSamePathOnAnyNumberOfJobsAfterAKillAndPieceByPiece) {
+  write("c.yaml", file(20e9, 50e6, small_budget));
+  ASSERT_EQ(call("calibrate c.yaml --output one --jobs 1").code, 0);
+  const std::string runs = content(folder_ / "one/runs.csv");
+  const pid_t first = start({"calibrate", "c.yaml", "--output", "two", "--jobs", "2"});
+  const auto finished = [&] {
+    std::map<fs::path, fs::file_time_type> all;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(folder_ / "two/cases", none))
+      if (const fs::path file = entry.path() / "summary.json"; fs::exists(file)) all[file] = fs::last_write_time(file);
+    return all;
+  };
+  ASSERT_TRUE(within_a_minute([&] { return finished().size() >= 4; }));
+  kill(first, SIGKILL);
+  waitpid(first, nullptr, 0);
+  usleep(300000);  // its runs end with it
+  const auto before = finished();
+  ASSERT_LT(before.size(), 12u);
+  EXPECT_FALSE(fs::exists(folder_ / "two/calibration.json"));
+  const Result r = call("calibrate c.yaml --output two --jobs 2");
+  ASSERT_EQ(r.code, 0) << r.text;
+  EXPECT_EQ(content(folder_ / "two/runs.csv"), runs);
+  EXPECT_EQ(outcome("two"), outcome("one"));
+  for (const auto& [file, time] : before) EXPECT_EQ(fs::last_write_time(file), time) << file;
+
+  // Run by run, as a workflow manager would: the first point, then the batch that follows from it.
+  const Rows all = rows_of(runs);
+  for (const std::size_t known : {3u, 6u}) {
+    const Result listed = call("calibrate c.yaml --output three --cases");
+    ASSERT_EQ(listed.code, 0) << listed.text;
+    const Rows rows = rows_of(listed.text);
+    ASSERT_EQ(rows.size(), known);
+    for (std::size_t k = 0; k < known; ++k) {
+      EXPECT_EQ(rows[k].at("folder"), all[k].at("folder"));
+      if (rows[k].at("status") == "finished") continue;
+      const Result one = call("calibrate c.yaml --output three --case " + rows[k].at("case"));
+      EXPECT_EQ(one.code, 0) << one.text;
+    }
+  }
+  EXPECT_EQ(call("calibrate c.yaml --output three --case 99").code, 2);
+  ASSERT_EQ(call("calibrate c.yaml --output three --collect").code, 1);  // not yet at its end
+  EXPECT_EQ(outcome("three")["complete"], false);
+  EXPECT_EQ(outcome("three")["runs"], 6);
+  EXPECT_EQ(call("report two").code, 2);
+}
+
+TEST_F(Calibrate, SmallSpecimensFirst) {
+  write("c.yaml", file(20e9, 50e6,
+                       "budget:\n  runs: 16\n  check_packings: 2\n  stages:\n"
+                       "    - {name: fast, share: 60 %, set: {protocol.platen_velocity: 0.8 m/s}}\n"
+                       "    - {name: slow, share: 40 %}\n"));
+  const Result r = call("calibrate c.yaml --output out --jobs 2");
+  ASSERT_EQ(r.code, 0) << r.text;
+  const Rows rows = rows_of(content(folder_ / "out/points.csv"));
+  std::size_t fast = 0;
+  for (const auto& row : rows) fast += row.at("stage") == "fast";
+  EXPECT_EQ(fast, 7u);  // of 12 points: 16 runs less 2 for the check and 2 more at the start
+  EXPECT_EQ(rows.back().at("stage"), "slow");
+  EXPECT_EQ(rows.back().at("why"), "check");
+  EXPECT_FALSE(has(content(folder_ / "out/best/test.yaml"), "platen_velocity: 0.8"));
+}
+
+TEST_F(Calibrate, WhatIsWrongWithTheTaskIsSaid) {
+  // Two tests of one specimen cannot have two moduli.
+  write("contradiction.yaml",
+        "workflows: {a: {file: small.yaml}, b: {file: weak.yaml, set: {contact_law.stiffness_ratio: 3.7}}}\n"
+        "targets:\n  soft: {workflow: a, key: youngs_modulus_Pa, value: 10 GPa, scatter: 3 %}\n"
+        "  stiff: {workflow: b, key: youngs_modulus_Pa, value: 20 GPa, scatter: 3 %}\n"
+        "parameters:\n  modulus: {path: contact_law.bond_modulus, from: 4 GPa, to: 60 GPa, scale: log}\n"
+        "budget: {runs: 14, start_packings: 2, check_packings: 1}\n");
+  const Result c = call("calibrate contradiction.yaml --output contradiction --jobs 2");
+  ASSERT_EQ(c.code, 0) << c.text;
+  EXPECT_TRUE(has(c.text, "The targets contradict each other")) << c.text;
+  EXPECT_TRUE(fs::exists(folder_ / "contradiction/pareto.csv"));
+
+  write("idle.yaml",
+        "workflows: {a: {file: small.yaml}}\n"
+        "targets: {E: {key: youngs_modulus_Pa, value: 90 GPa, scatter: 3 %}}\n"
+        "parameters:\n  modulus: {path: contact_law.bond_modulus, from: 4 GPa, to: 20 GPa, scale: log}\n"
+        "  friction: {path: contact_law.friction, from: 0.1, to: 1}\n"
+        "budget: {runs: 11, start_packings: 2, check_packings: 1}\n");
+  const Result idle = call("calibrate idle.yaml --output idle --jobs 2");
+  ASSERT_EQ(idle.code, 0) << idle.text;
+  EXPECT_TRUE(has(idle.text, "Nothing depends on `friction`")) << idle.text;
+  EXPECT_TRUE(has(idle.text, "The best `modulus`, ")) << idle.text;
+  EXPECT_TRUE(has(idle.text, "is at the upper end of its range")) << idle.text;
+  EXPECT_TRUE(has(idle.text, "`E` = 90 GPa cannot be reached")) << idle.text;
+}
+
+TEST_F(Calibrate, FailedRunsAreKeptAndTold) {
+  // No balance of energy closes to a part in a billion: with such a limit every run fails, with a larger one none.
+  std::string text = file(20e9, 50e6, "budget: {runs: 14, start_packings: 2, check_packings: 1, batch: 3}\n");
+  const std::string after = "from: 8 MPa, to: 200 MPa, scale: log}\n";
+  text.insert(text.find(after) + after.size(),
+              "  limit: {path: engine.energy_error_limit, from: 1e-12, to: 1, scale: log, start: 0.5}\n");
+  write("c.yaml", text);
+  const Result r = call("calibrate c.yaml --output out --jobs 2");
+  ASSERT_EQ(r.code, 0) << r.text;
+  const Json o = outcome("out");
+  const std::size_t told = o["failed_runs"].get<std::size_t>();
+  EXPECT_GT(told, 0u);
+  EXPECT_LT(told, 14u);
+  EXPECT_NE(r.text.find("runs have failed; runs.csv says which and why"), std::string::npos) << r.text;
+  const auto failures = [&] {
+    std::size_t failed = 0;
+    for (const auto& row : rows_of(content(folder_ / "out/runs.csv"))) {
+      failed += row.at("status") == "failed";
+      EXPECT_EQ(row.at("status") == "failed", !row.at("error").empty());
+    }
+    return failed;
+  };
+  EXPECT_EQ(failures(), told);
+  // They are not run again unless one says so.
+  const Result again = call("calibrate c.yaml --output out --jobs 2");
+  EXPECT_EQ(again.text.find("] test_"), std::string::npos) << again.text;
+  const Result retried = call("calibrate c.yaml --output out --jobs 2 --retry-failed");
+  EXPECT_NE(retried.text.find("] test_"), std::string::npos) << retried.text;
+  EXPECT_EQ(failures(), told);
+}
+
+TEST_F(Calibrate, MistakesHaveOneLineEach) {
+  const std::string good = file(20e9, 50e6, small_budget);
+  const auto refused = [&](const std::string& what, const std::string& with, const std::string& expected) {
+    std::string text = good;
+    ASSERT_NE(text.find(what), text.npos) << what;
+    text.replace(text.find(what), what.size(), with);
+    write("c.yaml", text);
+    for (const char* verb : {"validate", "calibrate"}) {
+      const Result r = call(std::string(verb) + " c.yaml");
+      EXPECT_EQ(r.code, 2) << r.text;
+      EXPECT_EQ(r.text, "c.yaml" + expected + "\n");
+    }
+    EXPECT_FALSE(fs::exists(folder_ / "results"));
+  };
+  refused("value: 5e+07 Pa", "value: 50",
+          ":4:37: targets.ucs.value: `50` is a plain number, and `peak_stress_Pa` is in Pa");
+  refused("value: 5e+07 Pa", "value: 50 kN",
+          ":4:37: targets.ucs.value: `50 kN` is a force, and `peak_stress_Pa` is in Pa");
+  refused("value: 5e+07 Pa", "value: 50 MPas", ":4:37: targets.ucs.value: `MPas` is not a known unit");
+  refused("scatter: 5 %", "scatter: 0 %", ":4:56: targets.ucs.scatter: the scatter must be above 0");
+  refused("scatter: 5 %", "scatter: 5 GPa, weight: 2",
+          ":4:63: targets.ucs: give only one of `scatter` and `weight`, not `scatter` and `weight`");
+  refused("file: rock.yaml", "file: rok.yaml", ":1:26: workflows.test.file: cannot read rok.yaml: no such file");
+  refused("to: 60 GPa", "to: 60 MPa",
+          ":6:62: parameters.modulus.to: must be in the unit of `from`, `4 GPa`, not `60 MPa`");
+  refused("from: 4 GPa", "from: 0 GPa", ":6:51: parameters.modulus.from: must be above 0 on a log scale, not `0 GPa`");
+  refused("from: 4 GPa, to: 60 GPa", "from: 4 mm, to: 60 mm",
+          ":6:51: contact_law.bond_modulus: `mm` is a length; a pressure such as Pa, MPa, GPa or psi is needed");
+  refused("contact_law.bond_modulus", "contact_law.bond_modulos",
+          ":6:31: contact_law.bond_modulos: is not a known parameter; did you mean `bond_modulus`?");
+  refused(
+      "contact_law.bond_modulus", "contact_law.tensile_strength.mean",
+      ":7:21: parameters.strength: `contact_law.tensile_strength.mean` gets its value from the parameter `modulus` as "
+      "well");
+  refused(
+      "runs: 12", "runs: 6",
+      ":8:9: budget: 6 runs are too few for 2 parameters in 1 workflow: at least 8 are needed (3 at the start, 1 for "
+      "the check, 1 for each point between)");
+}
+
+TEST_F(Calibrate, AKeyThatNoSummaryHasEndsItAtOnce) {
+  std::string text = file(20e9, 50e6, small_budget);
+  text.replace(text.find("peak_stress_Pa"), 14, "peak_stres_Pa");
+  write("c.yaml", text);
+  const Result r = call("calibrate c.yaml --output out --jobs 2");
+  EXPECT_EQ(r.code, 2) << r.text;
+  EXPECT_TRUE(has(r.text,
+                  "targets.ucs.key: no summary of the workflow `test` has the number `peak_stres_Pa`; did you "
+                  "mean `peak_stress_Pa`?"))
+      << r.text;
+}
+
+TEST_F(Calibrate, IsNoWorkflow) {
+  write("c.yaml", file(20e9, 50e6, small_budget));
+  const Result run = call("run c.yaml");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_EQ(run.text, "c.yaml: this is a calibration, not a workflow: `breccia calibrate c.yaml` runs it\n");
+  EXPECT_EQ(call("validate c.yaml").text, "c.yaml: ok, a calibration of at most 12 runs\n");
+}
+
+}  // namespace
+}  // namespace breccia::testing
