@@ -18,6 +18,7 @@ class RankLink {
   virtual ~RankLink() = default;
   virtual int rank() const = 0;
   virtual int ranks() const = 0;
+  virtual int ranks_on_machine() const = 0;  ///< on this one
   bool first() const { return rank() == 0; }
 
   /// Each number becomes the largest of all ranks' numbers at its place. No NaN.

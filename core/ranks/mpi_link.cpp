@@ -47,6 +47,10 @@ class MpiLink final : public RankLink {
     MPI_Comm_dup(MPI_COMM_WORLD, &ends_);
     MPI_Comm_rank(comm_, &rank_);
     MPI_Comm_size(comm_, &ranks_);
+    MPI_Comm here;
+    MPI_Comm_split_type(comm_, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
+    MPI_Comm_size(here, &here_);
+    MPI_Comm_free(&here);
     if (const char* text = std::getenv("BRECCIA_IMBALANCE")) tolerated_ = std::atof(text);
     must(PetscSFCreate(comm_, &copies_));
   }
@@ -61,6 +65,7 @@ class MpiLink final : public RankLink {
 
   int rank() const override { return rank_; }
   int ranks() const override { return ranks_; }
+  int ranks_on_machine() const override { return here_; }
   double tolerated_imbalance() const override { return tolerated_; }
 
   void largest(std::span<double> numbers) override {
@@ -148,7 +153,7 @@ class MpiLink final : public RankLink {
   MPI_Comm comm_, ends_;  ///< the second for those that end: nothing else waits there
   PetscSF copies_;
   std::size_t first_own_ = 0;
-  int rank_ = 0, ranks_ = 1;
+  int rank_ = 0, ranks_ = 1, here_ = 1;
   double tolerated_ = RankLink::tolerated_imbalance();
   std::map<std::size_t, Records> records_;
 };
