@@ -22,6 +22,7 @@ int ended(RankLink& link, const std::string& text, int code) {
   if (!link.first()) say();
   std::fflush(stderr);
   link.abort(code);
+  return code;
 }
 
 }  // namespace

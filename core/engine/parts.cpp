@@ -69,16 +69,18 @@ void Parts::deal(const State& s) {
   }
 }
 
+/// Before or after the lists are of that length.
 void Parts::stand(Particles& p, const std::vector<Index>& rows) {
   const auto at = [&](Index row) {
     return std::size_t(std::lower_bound(rows.begin(), rows.end(), row) - rows.begin());
   };
+  const std::size_t first = at(first_row()), end = at(end_row());
   p.row = rows;
-  p.copies_before = at(first_row());
-  p.copies_behind = rows.size() - at(end_row());
-  RankLink::Copies copies{p.first_own(), p.end_own() - p.first_own(), {}, {}, {}};
+  p.copies_before = first;
+  p.copies_behind = rows.size() - end;
+  RankLink::Copies copies{first, end - first, {}, {}, {}};
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    if (p.own(k)) continue;
+    if (k >= first && k < end) continue;
     const auto owner = std::upper_bound(first_row_.begin(), first_row_.end(), rows[k]) - first_row_.begin() - 1;
     copies.at.push_back(Index(k));
     copies.owner.push_back(int(owner));

@@ -50,7 +50,7 @@ class RankLink {
   /// Before a rank ends with an error: true when all have come here, as they do when they have made the same mistake;
   /// false when the others do not come within some seconds.
   virtual bool all_end() = 0;
-  [[noreturn]] virtual void abort(int code) = 0;  ///< of all ranks
+  virtual void abort(int code) = 0;  ///< of all ranks; does not return
 
   template <class T>
   void forward(std::vector<T>& records) {

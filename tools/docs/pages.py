@@ -24,6 +24,7 @@ MENU = [
         ("Choosing a contact law", "docs/laws.md"),
         ("Materials and scatter", "docs/materials.md"),
         ("Parameter studies", "docs/sweeps.md"),
+        ("Several ranks, clusters", "docs/clusters.md"),
         ("Results in Python", "docs/python.md"),
         ("What is measured", "docs/measurements.md"),
         ("Reports", "docs/reports.md"),
