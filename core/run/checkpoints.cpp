@@ -50,8 +50,9 @@ bool Checkpoints::due(const RunProgress& now) {
 }
 
 void Checkpoints::at(const RunProgress& now, bool stop) {
-  if (config_.keep == 0 || impossible_ || now.step == 0 || now.step == from_.step) return;
-  if (!stop && !due(now)) return;
+  const bool wanted = config_.keep > 0 && !impossible_ && now.step > 0 && now.step != from_.step && (stop || due(now));
+  if (before) before(wanted);
+  if (!wanted) return;
   try {
     save(now);
     failing_ = false;

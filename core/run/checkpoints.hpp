@@ -26,6 +26,9 @@ class Checkpoints {
 
   /// Before each step: writes one if it is time. `stop`: it is the last moment.
   void at(const RunProgress& now, bool stop);
+  /// Called before each step with whether a checkpoint is about to be written: others may have to bring what they have
+  /// of it.
+  std::function<void(bool)> before = {};
   /// The test is over, or the run went on from here.
   void start_from(const RunProgress& now);
 
