@@ -186,7 +186,9 @@ class Finder {
     if (contradict_ && !out_.front.empty() && all_within_reach())
       warn(
           "The targets contradict each other: each can be met within the ranges, all together cannot. pareto.csv has "
-          "what one costs the others; the best point is the compromise by their scatter.");
+          "what one costs the others; the best point is the compromise by their scatter. Intervals mean little then: "
+          "no "
+          "point agrees with the experiment.");
   }
 
   bool all_within_reach() const {
@@ -210,7 +212,7 @@ class Finder {
     if (p.share < at_bound || p.share > 1 - at_bound)
       out_.warnings.push_back(fmt::format("The best `{}`, {}, is at the {} end of its range: widen the range.", name,
                                           p.best, p.share < 0.5 ? "lower" : "upper"));
-    else if (p.high_share - p.low_share > 0.8)
+    else if (p.high_share - p.low_share > 0.8 && !contradict_)
       out_.warnings.push_back(fmt::format(
           "`{}` is not told by these targets: values from {} to {} agree with them about as well as the best.", name,
           p.low, p.high));
