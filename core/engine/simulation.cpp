@@ -29,6 +29,7 @@ Simulation::Simulation(State state, Interactions laws, const EngineSettings& set
   skin_ = settings_.skin * mean_radius;
   reach_ = std::min(settings_.skin, counted_reach) * mean_radius;
   pair_length_ = 2 * *std::max_element(r.begin(), r.end()) + skin_;
+  solid_volume_ = breccia::solid_volume(r, state_);
   loads_.reset(state_);
   if (settings_.link) parts_.emplace(*settings_.link);
 }
@@ -51,7 +52,7 @@ BondingResult Simulation::bond(const BondingRule& rule, const std::optional<Spec
 }
 
 double Simulation::porosity() const {
-  return 1 - solid_volume(state_.particles.radius(), state_) / state_.specimen.volume;
+  return 1 - solid_volume_ / state_.specimen.volume;
 }
 
 void Simulation::prepare() {

@@ -141,6 +141,7 @@ class Simulation final : public LoadControl {
   State state_;
   Interactions laws_;
   EngineSettings settings_;
+  double solid_volume_ = 0;  // [m3]
   double skin_ = 0, reach_ = 0, critical_ = 0, bound_ = 0;
   Bonds contacts_;          ///< at the start, where no law makes bonds: for `bond_stiffness`
   double pair_length_ = 0;  ///< how far apart the centres of two neighbours are at the most [m]

@@ -279,14 +279,14 @@ class Run {
     loading_checks_->sample(sim, calling(protocol_id(), "telling its load", [&] { return protocol_->load(); }),
                             monitor_);
     if (sim.loading_started()) {
-      if (!energy_check_) energy_check_.emplace(energy_limits(), w_.contact_law.names("` and `"));
+      if (link_ ? link_->as_first_says(!energy_check_) : !energy_check_) begin_energy_check();
       measured_ = true;
       curves_.set(time_column_, sim.time());
       if (first_) calling(protocol_id(), "measuring", [&] { protocol_->sample(view, curves_); });
       if (begins)
         for (auto& p : posts_) p.call("beginning to measure", [&](Postprocessor& q) { q.start_of_loading(view); });
       try {
-        energy_check_->sample(view.energy, view.step, monitor_);
+        if (first_) energy_check_->sample(view.energy, view.step, monitor_);
       } catch (const UserError& e) { fail(e); }
       for (auto& p : posts_) p.call("measuring", [&](Postprocessor& q) { q.sample(view, curves_); });
       if (first_) curves_.end_row();
@@ -295,6 +295,11 @@ class Run {
     calling(protocol_id(), "telling how far it is", [&] {
       monitor_.status({protocol_->share_done(), view.step, view.time, sim.broken_bonds(), protocol_->status()});
     });
+  }
+
+  void begin_energy_check() {
+    const EnergyLimits limits = energy_limits();
+    if (first_) energy_check_.emplace(limits, w_.contact_law.names("` and `"));
   }
 
   EnergyLimits energy_limits() {
@@ -316,9 +321,12 @@ class Run {
     try {
       f();
     } catch (...) { failed = std::current_exception(); }
-    const bool any = link_ ? link_->any(bool(failed)) : bool(failed);
+    double thrown_said[2] = {failed ? 1.0 : 0.0, failure_.empty() ? 0.0 : 1.0};
+    if (link_) link_->largest(thrown_said);
     if (failed) std::rethrow_exception(failed);
-    if (any) throw UserError("another rank could not go on");
+    constexpr const char* other = "another rank could not go on";
+    if (thrown_said[0] > 0) throw UserError(other);
+    if (thrown_said[1] > 0 && failure_.empty()) failure_ = other;
   }
   /// Whether other ranks do not end as this one does; they cannot be asked to any more.
   bool alone() const { return link_ && !link_->all_end(); }

@@ -55,8 +55,6 @@ TEST_P(RanksOfEach, WriteTheFilesOfOne) {
   const Result many = call("run w.yaml --output many --threads 1", on(3));
   ASSERT_EQ(many.code, 0) << many.text;
   expect_same_results(folder_ / "one", folder_ / "many");
-  for (const fs::path& file : checkpoints)
-    EXPECT_TRUE(content(file) == content(folder_ / "many/checkpoints" / file.filename())) << file.filename();
   // What three have written two go on with, and change ranks whenever they can.
   fs::copy(folder_ / "many", folder_ / "on", fs::copy_options::recursive);
   for (std::size_t k = 1; k < checkpoints.size(); ++k) fs::remove(folder_ / "on/checkpoints" / checkpoints[k].filename());
@@ -104,13 +102,13 @@ TEST_F(Ranks, AFolderInTheWayEndsAll) {
 /// A machine that fails takes its rank with it: the job ends, and goes on elsewhere from the last checkpoint.
 TEST_F(Ranks, OneThatIsKilledEndsTheJobAndAnotherNumberGoesOn) {
   write_many_spheres();
-  write("w.yaml", replaced(column, "0.6 %", "3 %") + "checkpoints: {every_steps: 30}\nsampling: {every_steps: 10}\n");
+  write("w.yaml", replaced(column, "1 m/s", "0.1 m/s") + "checkpoints: {every_steps: 150}\nsampling: {every_steps: 50}\n");
   const Result one = call("run w.yaml --output one --threads 1");
   ASSERT_EQ(one.code, 0) << one.text;
   // Each rank is behind a shell that knows its number: the second kills itself once there is a checkpoint.
   write("killed.sh",
         "#!/bin/sh\n\"$@\" &\nchild=$!\nif [ \"$OMPI_COMM_WORLD_RANK\" = 1 ]; then\n"
-        "  until ls many/unfinished/checkpoints/*.h5 many/checkpoints/*.h5 >/dev/null 2>&1; do sleep 0.02; done\n"
+        "  until ls many/checkpoints many/unfinished/checkpoints 2>/dev/null | grep -q h5; do sleep 0.02; done\n"
         "  kill -9 $child\nfi\nwait $child\n");
   fs::permissions(folder_ / "killed.sh", fs::perms::owner_all);
   const Result killed = call("run w.yaml --output many --threads 1", on(3) + " ./killed.sh");
