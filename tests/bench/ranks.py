@@ -32,7 +32,7 @@ renderers: []
 
 
 def run(program, workflow, folder, ranks, threads):
-    """Nanoseconds a bond and step; steps; particles; the largest process's memory [GiB], which is of one run only since a
+    """Nanoseconds a bond and step; steps; particles; memory of the largest process [GiB]: of one run only, since a
     child that ends with it starts it."""
     command = [program, "run", str(workflow), "--output", str(folder), "--overwrite", "--threads", str(threads)]
     if ranks > 1:
