@@ -51,9 +51,7 @@ BondingResult Simulation::bond(const BondingRule& rule, const std::optional<Spec
   return result;
 }
 
-double Simulation::porosity() const {
-  return 1 - solid_volume_ / state_.specimen.volume;
-}
+double Simulation::porosity() const { return 1 - solid_volume_ / state_.specimen.volume; }
 
 void Simulation::prepare() {
   critical_ = bound_ = std::numeric_limits<double>::infinity();

@@ -42,10 +42,12 @@ inline std::string discs_in(const std::string& container) {
          "material: {density: 2650 kg/m3}\nbonding: {tolerance: 0.001}\n"
          "damping: {translational: 0.3, rotational: 0.3}\n";
 }
-inline constexpr const char* brittle = R"(contact_law: {type: elastic_brittle, bond_modulus: 10 GPa, stiffness_ratio: 3.7,
+inline constexpr const char* brittle =
+    R"(contact_law: {type: elastic_brittle, bond_modulus: 10 GPa, stiffness_ratio: 3.7,
   tensile_strength: {mean: 4 MPa, distribution: weibull, modulus: 6}, shear_strength: 4 MPa, friction: 0.5}
 )";
-inline constexpr const char* strong = R"(contact_law: {type: elastic_brittle, bond_modulus: 10 GPa, stiffness_ratio: 3.7,
+inline constexpr const char* strong =
+    R"(contact_law: {type: elastic_brittle, bond_modulus: 10 GPa, stiffness_ratio: 3.7,
   tensile_strength: 40 MPa, shear_strength: 40 MPa, friction: 0.5}
 )";
 inline constexpr const char* additions = R"(contact_law:
@@ -67,7 +69,8 @@ inline constexpr const char* moments =
   bending_ratio: 0.256, tensile_strain_limit: 0.02, tension_shape: 0.2, shear_strain_ratio: 3.5, shear_strain_cap_ratio: 10,
   internal_friction_angle: 45 deg, friction_angle: 39 deg, bond_width: 0.8}
 )";
-inline constexpr const char* cement = R"(contact_law: {type: linear_parallel_bond, bond_modulus: 20 GPa, stiffness_ratio: 2.5,
+inline constexpr const char* cement =
+    R"(contact_law: {type: linear_parallel_bond, bond_modulus: 20 GPa, stiffness_ratio: 2.5,
   tensile_strength: {mean: 8 MPa, distribution: normal, standard_deviation: 2 MPa, min: 1 MPa}, cohesion: 12 MPa}
 )";
 inline constexpr const char* beams = R"(contact_law: {type: beam_bond, bond_modulus: 20 GPa, poisson_ratio: 0.2,
@@ -198,9 +201,7 @@ inline void expect_same_results(const fs::path& run, const fs::path& other) {
   for (const auto& [name, text] : b) names[1] += name + "\n";
   EXPECT_EQ(names[0], names[1]) << other;
   for (const auto& [name, text] : a)
-    if (b.contains(name)) {
-      EXPECT_TRUE(text == b.at(name)) << other << ": " << name << difference(text, b.at(name));
-    }
+    if (b.contains(name)) { EXPECT_TRUE(text == b.at(name)) << other << ": " << name << difference(text, b.at(name)); }
 }
 
 inline std::vector<fs::path> checkpoints_of(const fs::path& run) {

@@ -45,12 +45,12 @@ TEST(ExactSum, KeepsWhatAPlainSumLoses) {
 }
 
 TEST(ExactSum, RoundsOnceToTheNearestAndHalvesToTheEvenOne) {
-  EXPECT_EQ(sum_of({1, 0x1p-53}), 1);                                // half way: to the even one
-  EXPECT_EQ(sum_of({1 + 0x1p-52, 0x1p-53}), 1 + 0x1p-51);            // half way: up to the even one
-  EXPECT_EQ(sum_of({1, 0x1p-53, 0x1p-1000}), 1 + 0x1p-52);           // a hair above half way
-  EXPECT_EQ(sum_of({1, 0x1p-53, -0x1p-1000}), 1);                    // a hair below
+  EXPECT_EQ(sum_of({1, 0x1p-53}), 1);                       // half way: to the even one
+  EXPECT_EQ(sum_of({1 + 0x1p-52, 0x1p-53}), 1 + 0x1p-51);   // half way: up to the even one
+  EXPECT_EQ(sum_of({1, 0x1p-53, 0x1p-1000}), 1 + 0x1p-52);  // a hair above half way
+  EXPECT_EQ(sum_of({1, 0x1p-53, -0x1p-1000}), 1);           // a hair below
   EXPECT_EQ(sum_of({-1, -0x1p-53, -0x1p-1000}), -(1 + 0x1p-52));
-  EXPECT_EQ(sum_of({0x1.fffffffffffffp0, 0x1p-53}), 2);              // carries into the next power
+  EXPECT_EQ(sum_of({0x1.fffffffffffffp0, 0x1p-53}), 2);  // carries into the next power
 }
 
 TEST(ExactSum, IsTheSameInWhateverOrderAndParts) {

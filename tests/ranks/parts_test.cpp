@@ -21,7 +21,7 @@ struct Case {
   EngineSettings settings;
   int dimension = 3;
   bool periodic = false;
-  int steps = 1200;
+  int steps = 800;
 };
 
 EngineSettings damped(TimeStep step = TimeStep::bound, double added_mass = 0) {
@@ -65,8 +65,8 @@ Bench begun(const Case& c, RankLink* link) {
   EngineSettings settings = c.settings;
   settings.link = link;
   const bool moments = c.law == "nonlinear_tension";
-  Bench b = make_bench(packing_of(c), moments ? nonlinear_tension() : elastic_brittle({{"tensile_strength", 5e6}}), 0.15,
-                       settings, c.dimension, c.law);
+  Bench b = make_bench(packing_of(c), moments ? nonlinear_tension() : elastic_brittle({{"tensile_strength", 5e6}}),
+                       0.15, settings, c.dimension, c.law);
   if (!c.periodic) {
     const Vec3 up = c.dimension == 2 ? Vec3::UnitY() : Vec3::UnitZ();
     const SpecimenShape s = b->set_specimen_axis(up);
@@ -110,7 +110,8 @@ void finish(Bench& b, End& end, bool first) {
   std::vector<double> heights;
   for (const Vec3& x : b->particles().position) heights.push_back(x.z() + x.y());
   if (!first) return;
-  end = {b->state(), energy, unbalanced, b->time_step(), stiffness, speed, b->broken_bonds(), b->rebuilds(), {}, {}, heights};
+  end = {b->state(),    energy, unbalanced, b->time_step(), stiffness, speed, b->broken_bonds(),
+         b->rebuilds(), {},     {},         heights};
   if (!end.state.walls.empty()) end.wall = end.state.walls[1].force;
   end.stress = end.state.cell_forces.virial;
 }
@@ -173,8 +174,9 @@ TEST_P(Parts, AreTheWholeToTheLastBit) {
   ASSERT_GT(one.broken, 100u) << "the test must break something";
   ASSERT_GT(one.rebuilds, 3u) << "the test must rebuild its list";
   for (const int ranks : {2, 3, 5}) {
-    // -1: particles change their ranks whenever the list is made anew.
-    for (const double tolerated : {0.2, -1.0}) {
+    // Ten: never; -1: particles change their ranks whenever the list is made anew.
+    for (const double tolerated : {10.0, -1.0}) {
+      if (ranks == 2 && tolerated < 0) continue;  // the more there are the more there is to change
       End many;
       MemoryArchive written;
       on_ranks(
@@ -192,6 +194,7 @@ TEST_P(Parts, AreTheWholeToTheLastBit) {
       expect_same(one, many, what);
       EXPECT_EQ(kept.difference(written), "") << what;
     }
+    if (ranks != 3) continue;
     // What one rank has written goes on with several.
     End on;
     on_ranks(ranks, [&](RankLink* link) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `mpirun -n N breccia run`: the files of one rank, byte for byte, for every plugin that is shipped, and on with another
-// number of ranks from a checkpoint.
+// `mpirun -n N breccia run`: the files of one rank, byte for byte, for every plugin that is shipped, and on with
+// another number of ranks from a checkpoint.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -19,12 +19,13 @@ std::string on(int ranks) {
 /// The same workflows on specimens that make several blocks of particles, with a row now and then: the first rank sees
 /// the whole only there.
 std::string larger(std::string text) {
-  const std::pair<const char*, const char*> sizes[] = {{"size: \\[12 mm, 18 mm\\]", "size: [32 mm, 44 mm]"},
-                                                       {"diameter: 14 mm", "diameter: 40 mm"},
-                                                       {"size: \\[10 mm, 10 mm, 12 mm\\]", "size: [18 mm, 18 mm, 20 mm]"},
-                                                       {"every_steps: 40,", "every_steps: 60,"},
-                                                       {"every_steps: 7\\}", "every_steps: 20}"},
-                                                       {"renderers: [^\n]*\n", ""}};
+  const std::pair<const char*, const char*> sizes[] = {
+      {"size: \\[12 mm, 18 mm\\]", "size: [32 mm, 44 mm]"},
+      {"diameter: 14 mm", "diameter: 40 mm"},
+      {"size: \\[10 mm, 10 mm, 12 mm\\]", "size: [18 mm, 18 mm, 20 mm]"},
+      {"every_steps: 40,", "every_steps: 60,"},
+      {"every_steps: 7\\}", "every_steps: 20}"},
+      {"renderers: [^\n]*\n", ""}};
   for (const auto& [from, to] : sizes) text = std::regex_replace(text, std::regex(from), to);
   return text;
 }
@@ -57,7 +58,8 @@ TEST_P(RanksOfEach, WriteTheFilesOfOne) {
   expect_same_results(folder_ / "one", folder_ / "many");
   // What three have written two go on with, and change ranks whenever they can.
   fs::copy(folder_ / "many", folder_ / "on", fs::copy_options::recursive);
-  for (std::size_t k = 1; k < checkpoints.size(); ++k) fs::remove(folder_ / "on/checkpoints" / checkpoints[k].filename());
+  for (std::size_t k = 1; k < checkpoints.size(); ++k)
+    fs::remove(folder_ / "on/checkpoints" / checkpoints[k].filename());
   const Result further = call("run --resume on --threads 2", "BRECCIA_IMBALANCE=-1 " + on(2));
   ASSERT_EQ(further.code, 0) << further.text;
   EXPECT_TRUE(has(further.text, "goes on from")) << further.text;
@@ -102,7 +104,8 @@ TEST_F(Ranks, AFolderInTheWayEndsAll) {
 /// A machine that fails takes its rank with it: the job ends, and goes on elsewhere from the last checkpoint.
 TEST_F(Ranks, OneThatIsKilledEndsTheJobAndAnotherNumberGoesOn) {
   write_many_spheres();
-  write("w.yaml", replaced(column, "1 m/s", "0.1 m/s") + "checkpoints: {every_steps: 150}\nsampling: {every_steps: 50}\n");
+  write("w.yaml",
+        replaced(column, "1 m/s", "0.1 m/s") + "checkpoints: {every_steps: 150}\nsampling: {every_steps: 50}\n");
   const Result one = call("run w.yaml --output one --threads 1");
   ASSERT_EQ(one.code, 0) << one.text;
   // Each rank is behind a shell that knows its number: the second kills itself once there is a checkpoint.

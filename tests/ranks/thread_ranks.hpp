@@ -73,9 +73,10 @@ class ThreadLink final : public RankLink {
     job_.given[std::size_t(rank_)] = own;
     job_.all.arrive_and_wait();
     for (std::size_t k = 0; k < copies_.at.size(); ++k)
-      std::memcpy(static_cast<std::byte*>(records) + copies_.at[k] * bytes,
-                  static_cast<const std::byte*>(job_.given[std::size_t(copies_.owner[k])]) + copies_.in_owner[k] * bytes,
-                  bytes);
+      std::memcpy(
+          static_cast<std::byte*>(records) + copies_.at[k] * bytes,
+          static_cast<const std::byte*>(job_.given[std::size_t(copies_.owner[k])]) + copies_.in_owner[k] * bytes,
+          bytes);
     job_.all.arrive_and_wait();
   }
   void end_forward(void*, std::size_t) override {}
