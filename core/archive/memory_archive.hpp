@@ -13,6 +13,20 @@ class MemoryArchive final : public Archive {
  public:
   bool reading() const override { return reading_; }
   void read_back() { reading_ = true; }
+  /// What another one was written with, to be read.
+  void read_back(const MemoryArchive& other) {
+    entries_ = other.entries_;
+    reading_ = true;
+  }
+  /// The first name under which two have other bytes; empty when there is none.
+  std::string difference(const MemoryArchive& other) const {
+    for (const auto* both : {&entries_, &other.entries_})
+      for (const auto& [name, entry] : *both) {
+        const auto a = entries_.find(name), b = other.entries_.find(name);
+        if (a == entries_.end() || b == other.entries_.end() || a->second.bytes != b->second.bytes) return name;
+      }
+    return {};
+  }
 
  private:
   struct Entry {

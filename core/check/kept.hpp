@@ -44,7 +44,7 @@ class KeptCurves final : public Recorder, public Curves {
   const std::vector<double>& values(std::size_t column) const { return values_.at(column); }
   double last(std::string_view name) const { return column(name).back(); }
   void add_column(const std::string& name, std::vector<double> values) {
-    add({name, "1", ""});
+    add({name, "1", "", std::string(role::of_name(name))});
     values_.back() = std::move(values);
   }
 

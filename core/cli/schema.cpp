@@ -4,6 +4,7 @@
 #include "calibrate/calibration_schema.hpp"
 #include "cli/verbs.hpp"
 #include "config/json_schema.hpp"
+#include "plugin/registry.hpp"
 #include "study/study_schema.hpp"
 #include "workflow/workflow.hpp"
 

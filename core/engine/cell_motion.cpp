@@ -11,34 +11,23 @@
 namespace breccia {
 namespace {
 
-/// Block by block, as all sums over particles.
-Vec3 centre_of_mass(const Particles& p, int threads) {
-  const std::size_t blocks = (p.size() + particle_block - 1) / particle_block;
-  std::vector<Vec3> moments(blocks, Vec3::Zero());
-  std::vector<double> masses(blocks, 0.0);
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (std::size_t b = 0; b < blocks; ++b)
-    for (std::size_t a = b * particle_block; a < std::min(p.size(), (b + 1) * particle_block); ++a) {
-      moments[b] += p.mass()[a] * p.position()[a];
-      masses[b] += p.mass()[a];
-    }
-  Vec3 moment = Vec3::Zero();
-  double mass = 0;
-  for (std::size_t b = 0; b < blocks; ++b) {
-    moment += moments[b];
-    mass += masses[b];
-  }
-  return moment / mass;
+Vec3 centre_of_mass(const Particles& p, RankLink* link) {
+  std::vector<ExactSum> sums(4);
+  for (int k = 0; k < 3; ++k)
+    add_block_by_block(p, sums[std::size_t(k)], [&](std::size_t a) { return p.mass()[a] * p.position()[a][k]; });
+  add_block_by_block(p, sums[3], [&](std::size_t a) { return p.mass()[a]; });
+  const std::vector<double> all = totals(sums, link);
+  return Vec3(all[0], all[1], all[2]) / all[3];
 }
 
 }  // namespace
 
-CellMotion lead_cell(State& s, int threads) {
+CellMotion lead_cell(State& s, RankLink* link) {
   s.energy.boundary_work -=
       0.5 * s.time_step * s.cell_forces.across.cwiseProduct(s.cell_velocity + s.cell_velocity_asked).sum();
   CellMotion motion{s.cell_velocity * s.cell.inverse(), s.cell_velocity_asked * s.cell.inverse(), Vec3::Zero()};
   s.cell_velocity = s.cell_velocity_asked;
-  if (motion.any()) motion.centre = centre_of_mass(s.particles, threads);
+  if (motion.any()) motion.centre = centre_of_mass(s.particles, link);
   return motion;
 }
 

@@ -7,6 +7,7 @@
 /// with their place, as if the whole space had been taken along.
 #pragma once
 
+#include "engine/rank_link.hpp"
 #include "model/state.hpp"
 
 namespace breccia {
@@ -20,7 +21,7 @@ struct CellMotion {
 
 /// From the growth of the half step behind to that which was asked for; books the work of the cell in both. What the
 /// particles feel of it is for `integrate`.
-CellMotion lead_cell(State& state, int threads);
+CellMotion lead_cell(State& state, RankLink* link);
 
 /// By one step, as the particles.
 void move_cell(State& state);

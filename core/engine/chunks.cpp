@@ -10,12 +10,14 @@ namespace breccia {
 Chunks make_chunks(const State& s) {
   const auto& first = s.pairs.i;
   Chunks c{{}, {}};
-  for (std::size_t p = 0; p < s.particles.size(); p += particle_block) {
-    const auto row = [&](std::size_t particle) {
-      return std::size_t(std::lower_bound(first.begin(), first.end(), Index(particle)) - first.begin());
-    };
+  const auto row = [&](std::size_t particle) {
+    return std::size_t(std::lower_bound(first.begin(), first.end(), Index(particle)) - first.begin());
+  };
+  const std::size_t own = s.particles.first_own(), end_own = s.particles.end_own();
+  for (std::size_t k = 0; k < row(own); k += PairBatch::chunk) c.start.push_back(k);
+  for (std::size_t p = own; p < end_own; p += particle_block) {
     c.block_start.push_back(c.start.size());
-    const std::size_t end = row(std::min(s.particles.size(), p + particle_block));
+    const std::size_t end = row(std::min(end_own, p + particle_block));
     for (std::size_t k = row(p); k < end; k += PairBatch::chunk) c.start.push_back(k);
   }
   c.block_start.push_back(c.start.size());

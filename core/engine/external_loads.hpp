@@ -9,7 +9,8 @@
 
 namespace breccia {
 
-/// Most particles are far from walls and applied forces: only groups of rows that may have a load have any memory.
+/// Most particles are far from walls and applied forces: only groups of rows that may have a load have any memory. Of a
+/// specimen in parts: of own particles.
 class ExternalLoads {
  public:
   static constexpr std::size_t group = 32;
@@ -21,8 +22,9 @@ class ExternalLoads {
   void reset(const State& s) {
     const Particles& p = s.particles;
     rows_.clear();
-    begin_.assign((p.size() + group - 1) / group, none);
-    for (std::size_t a = 0; a < p.size(); ++a) {
+    shift_ = p.shift();
+    begin_.assign((p.end_own() + shift_ + group - 1) / group, none);
+    for (std::size_t a = p.first_own(); a < p.end_own(); ++a) {
       const Load applied = of(p, a);
       if (!applied.force.isZero(0) || !applied.torque.isZero(0)) row(a) = applied;
     }
@@ -36,11 +38,16 @@ class ExternalLoads {
   }
   /// Before the walls' forces of a step, for each particle that is near one.
   void restart(Index particle, const Particles& p) { row(particle) = of(p, particle); }
-  /// Of the particles of the group that `particle` is in, from its first on; null when there are none.
-  const Load* of_group(Index particle) const {
-    const Index begin = begin_[particle / group];
-    return begin == none ? nullptr : &rows_[begin];
+  /// Null when there is none.
+  const Load* of(std::size_t particle) const {
+    const std::size_t at = particle + shift_;
+    const Index begin = begin_[at / group];
+    return begin == none ? nullptr : &rows_[begin + at % group];
   }
+  /// The first particle after `particle` of which `of` may say something else.
+  std::size_t end_of_group(std::size_t particle) const { return ((particle + shift_) / group + 1) * group - shift_; }
+  /// Groups begin at the same particles in a part and in the whole.
+  void shift_to(const Particles& p) { shift_ = p.shift(); }
 
   /// As they stand: the protocol's changes have left their rounding in them.
   void archive(Archive& archive, const std::vector<Index>& id) {
@@ -48,10 +55,10 @@ class ExternalLoads {
     std::vector<std::uint8_t> groups(begin_.size());
     if (!archive.reading())
       for (std::size_t a = 0; a < id.size(); ++a)
-        if (const Load* const load = of_group(Index(a))) {
+        if (const Load* const load = of(a)) {
           groups[a / group] = 1;
-          force[a] = load[a % group].force;
-          torque[a] = load[a % group].torque;
+          force[a] = load->force;
+          torque[a] = load->torque;
         }
     archive_by_id(archive, "force", Strided<Vec3>(force), id);
     archive_by_id(archive, "torque", Strided<Vec3>(torque), id);
@@ -61,6 +68,18 @@ class ExternalLoads {
     begin_.assign(groups.size(), none);
     for (std::size_t a = 0; a < id.size(); ++a)
       if (groups.at(a / group)) row(a) = {force[a], torque[a]};
+  }
+  /// Calls `f(row of the whole, load)` for all that have memory.
+  template <class F>
+  void for_each(const Particles& p, F&& f) const {
+    for (std::size_t a = p.first_own(); a < p.end_own(); ++a)
+      if (const Load* const load = of(a)) f(p.row_of(a), *load);
+  }
+  void put(Index particle, const Load& load) { row(particle) = load; }
+  void clear(std::size_t particles) {
+    rows_.clear();
+    shift_ = 0;
+    begin_.assign((particles + group - 1) / group, none);
   }
 
  private:
@@ -72,6 +91,7 @@ class ExternalLoads {
     return load;
   }
   Load& row(std::size_t particle) {
+    particle += shift_;
     Index& begin = begin_[particle / group];
     if (begin == none) {
       begin = Index(rows_.size());
@@ -80,6 +100,7 @@ class ExternalLoads {
     return rows_[begin + particle % group];
   }
 
+  std::size_t shift_ = 0;     ///< of the rows here against those of the whole
   std::vector<Index> begin_;  ///< of each group of particles, its rows; or none
   std::vector<Load> rows_;
 };

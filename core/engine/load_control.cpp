@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a protocol may change and ask of a simulation.
-#include <numeric>
+#include <algorithm>
 #include <utility>
 
 #include "breccia/protocol_tools/equilibrium.hpp"
@@ -10,13 +10,50 @@
 #include "engine/walls.hpp"
 
 namespace breccia {
+namespace {
+
+void see_held(Particles& p, Index row, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity) {
+  p.held[row] |= mask;
+  for (int k = 0; k < 3; ++k) {
+    if (mask >> k & 1) p.velocity()[row][k] = velocity[k];
+    if (mask >> (k + 3) & 1) p.angular_velocity()[row][k] = angular_velocity[k];
+  }
+}
+
+}  // namespace
 
 double Simulation::unbalanced_force_ratio() {
   BRECCIA_ASSERT(pair_forces_known_ && forces_known_);
-  std::vector<std::uint8_t> held(state_.particles.size());
-  for (std::size_t a = 0; a < held.size(); ++a)
-    held[a] = (state_.particles.held[a] & ~(state_.dimension == 2 ? dof::out_of_plane : 0)) != 0;
-  return breccia::unbalanced_force_ratio(state_.particles.force(), state_.pairs.force, held);
+  const Particles& p = state_.particles;
+  const std::uint8_t free_to_hold = state_.dimension == 2 ? dof::out_of_plane : 0;
+  const auto counts = [&](std::size_t a) { return (p.held[a] & ~free_to_hold) == 0; };
+  std::vector<ExactSum> sums(4);
+  add_block_by_block(p, sums[0], [&](std::size_t a) { return counts(a) ? p.force()[a].norm() : 0.0; });
+  add_block_by_block(p, sums[1], [&](std::size_t a) { return counts(a) ? 1.0 : 0.0; });
+  for (std::size_t b = 0; b < chunks_.blocks(); ++b) {
+    double contact = 0, contacts = 0;
+    for (std::size_t k = chunks_.start[chunks_.block_start[b]]; k < chunks_.start[chunks_.block_start[b + 1]]; ++k) {
+      const PairForce& f = state_.pairs.force[k];
+      const double size = std::sqrt(f.fx * f.fx + f.fy * f.fy + f.fz * f.fz);
+      contact += size;
+      contacts += size > 0;
+    }
+    sums[2].add(contact);
+    sums[3].add(contacts);
+  }
+  const std::vector<double> all = totals(sums, link());
+  return all[2] > 0 && all[1] > 0 ? all[0] / all[1] / (all[2] / all[3]) : 0.0;
+}
+
+double Simulation::fastest_boundary() {
+  const State& s = state_;
+  double fastest = 0;
+  for (const Wall& w : s.walls) fastest = std::max(fastest, w.velocity.norm());
+  for (int k = 0; k < 3; ++k) fastest = std::max(fastest, s.cell_velocity.col(k).norm());
+  for (std::size_t a = 0; a < s.particles.size(); ++a)
+    for (int k = 0; k < 3; ++k)
+      if (s.particles.held[a] >> k & 1) fastest = std::max(fastest, std::abs(s.particles.velocity()[a][k]));
+  return link() ? link()->largest_of(fastest) : fastest;
 }
 
 BondStiffness Simulation::bond_stiffness() {
@@ -39,23 +76,25 @@ BondStiffness Simulation::bond_stiffness() {
   laws_.initialise(batch);
   std::vector<ContactStiffness> stiffness(b.size());
   laws_.stiffness(batch, stiffness.data());
-  BondStiffness result;
-  std::size_t intact = 0;
+  std::vector<ExactSum> sums(4);
   for (std::size_t k = 0; k < b.size(); ++k) {
-    if (b.state[k] != BondState::intact) continue;
-    ++intact;
-    result.mean_normal += stiffness[k].normal;
-    result.modulus += b.initial_distance[k] * b.initial_distance[k] * stiffness[k].normal;
+    if (b.state[k] != BondState::intact || b.i[k] < state_.particles.first_own()) continue;
+    sums[0].add(1);
+    sums[1].add(stiffness[k].normal);
+    sums[2].add(b.initial_distance[k] * b.initial_distance[k] * stiffness[k].normal);
   }
-  if (intact == 0) return result;
-  result.mean_normal /= double(intact);
-  result.modulus /= state_.specimen.volume * state_.dimension;
-  const auto m = state_.particles.mass();
-  result.wave_speed = std::sqrt(result.modulus * state_.specimen.volume / std::accumulate(m.begin(), m.end(), 0.0));
+  add_block_by_block(state_.particles, sums[3], [&](std::size_t a) { return state_.particles.mass()[a]; });
+  const std::vector<double> all = totals(sums, link());
+  BondStiffness result;
+  if (all[0] == 0) return result;
+  result.mean_normal = all[1] / all[0];
+  result.modulus = all[2] / (state_.specimen.volume * state_.dimension);
+  result.wave_speed = std::sqrt(result.modulus * state_.specimen.volume / all[3]);
   return result;
 }
 
 SpecimenShape Simulation::set_specimen_axis(const Vec3& axis) {
+  BRECCIA_ASSERT(!link());
   const SpecimenShape& old = state_.specimen;
   state_.specimen =
       measure_specimen(state_.particles.position(), state_.particles.radius(), old.outline, axis, state_, old.volume);
@@ -63,18 +102,16 @@ SpecimenShape Simulation::set_specimen_axis(const Vec3& axis) {
 }
 
 void Simulation::mark_start_of_loading() {
-  fold_chunk_sums();
-  state_.energy = {};
-  state_.dissipated.assign(laws_.size(), {});
-  state_.energy.boundary_work = wall_work_ahead(state_) - led_work_behind(state_) - cell_work_behind(state_);
-  state_.energy.initial = elastic_energy() + kinetic_energy(state_);
+  begin_ledger();
+  whole_.reset();
+  seen_.reset();
   const auto position = state_.particles.position();
   state_.particles.reference_position.assign(position.begin(), position.end());
   state_.reference_cell = state_.cell;
   for (Wall& w : state_.walls) w.displacement.setZero();
   const SpecimenShape& old = state_.specimen;
   state_.specimen = measure_specimen(state_.particles.position(), state_.particles.radius(), old.outline, old.axis,
-                                     state_, old.volume);
+                                     state_, old.volume, link());
   loading_started_ = true;
 }
 
@@ -84,7 +121,7 @@ void Simulation::protect_bond(Index bond) {
         "this test protects some bonds from breaking, and the contact law does not support that: protect no bonds, or "
         "use a law that has `respects_protection`");
   Bonds& b = state_.bonds;
-  BRECCIA_ASSERT(bond < b.size() && rebuilds_ == 0);
+  BRECCIA_ASSERT(bond < b.size() && rebuilds_ == 0 && !link());
   b.guarded.resize(b.size(), 0);
   b.guarded[bond] = 1;
 }
@@ -122,18 +159,32 @@ void Simulation::set_wall_velocity(std::size_t wall, const Vec3& velocity) {
   state_.walls.at(wall).velocity = velocity;
 }
 
-void Simulation::hold(Index a, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity, const Vec3& arm) {
+Index Simulation::here(Index row) const {
+  const std::vector<Index>& rows = state_.particles.row;
+  if (rows.empty()) return row;
+  const auto at = std::lower_bound(rows.begin(), rows.end(), row);
+  return at != rows.end() && *at == row ? Index(at - rows.begin()) : elsewhere;
+}
+
+void Simulation::hold(Index row, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity,
+                      const Vec3& arm) {
   Particles& p = state_.particles;
-  p.held[a] |= mask;
+  const Index a = here(row);
+  any_led_ = true;
   if (!arm.isZero(0) || !p.holding_arm.empty()) {
     p.holding_arm.resize(p.size(), Vec3::Zero());
-    p.holding_arm[a] = arm;
+    if (a != elsewhere) p.holding_arm[a] = arm;
   }
+  if (seen_) see_held(*seen_, row, mask, velocity, angular_velocity);
+  if (a == elsewhere) return;
+  p.held[a] |= mask;
   // Whoever changes the velocity of a held particle gives it that energy.
   const auto lead = [&](double& now, double to, double inertia, int component) {
     if (to == now) return;
-    state_.energy.boundary_work += 0.5 * inertia * (to * to - now * now);
-    led_.push_back({a, component, to - now});
+    if (p.own(a)) {
+      led_work_.add(0.5 * inertia * (to * to - now * now));
+      led_.push_back({row, component, to - now});
+    }
     now = to;
   };
   for (int k = 0; k < 3; ++k) {
@@ -148,30 +199,40 @@ void Simulation::hold(Index a, std::uint8_t mask, const Vec3& velocity, const Ve
 void Simulation::settle_led() {
   const Particles& p = state_.particles;
   for (const Led& l : led_) {
-    const double load = l.component < 3 ? p.force()[l.particle][l.component] : p.torque()[l.particle][l.component - 3];
-    state_.energy.boundary_work += 0.5 * state_.time_step * load * l.by;
+    const Index a = here(l.particle);
+    const double load = l.component < 3 ? p.force()[a][l.component] : p.torque()[a][l.component - 3];
+    led_work_.add(0.5 * state_.time_step * load * l.by);
   }
   led_.clear();
 }
 
-void Simulation::release(Index a, std::uint8_t mask) {
+void Simulation::release(Index row, std::uint8_t mask) {
+  const Index a = here(row);
+  any_released_ = true;
   const std::uint8_t always = state_.dimension == 2 ? dof::out_of_plane : std::uint8_t(0);
+  if (seen_) seen_->held[row] = std::uint8_t((seen_->held[row] & ~mask) | always);
+  if (a == elsewhere) return;
   const std::uint8_t held = std::uint8_t((state_.particles.held[a] & ~mask) | always);
   look_at_all_ |= settings_.time_step == TimeStep::spectral && rebuilds_ > 0 && held != state_.particles.held[a];
   state_.particles.held[a] = held;
 }
 
-void Simulation::set_applied_force(Index a, const Vec3& force, const Vec3& torque, const Mat3& moment) {
-  Particles& p = state_.particles;
+void Simulation::set_applied_force(Index row, const Vec3& force, const Vec3& torque, const Mat3& moment) {
+  const Index a = here(row);
+  const std::size_t n = state_.particles.size();
   /// Returns what it was before.
   const auto set = [&]<class T>(std::vector<T>& of, const T& value) -> T {
     if (of.empty() && value.isZero(0)) return value;
-    of.resize(p.size(), T::Zero());
-    return std::exchange(of[a], value);
+    of.resize(n, T::Zero());  // everywhere, wherever the particle is
+    return a == elsewhere ? value : std::exchange(of[a], value);
   };
-  loads_.add(a, force - set(p.applied_force, force), torque - set(p.applied_torque, torque));
+  Particles& p = state_.particles;
+  const Vec3 more = force - set(p.applied_force, force), turn = torque - set(p.applied_torque, torque);
+  if (a != elsewhere && p.own(a)) loads_.add(a, more, turn);
   set(p.applied_moment, moment);
   any_applied_ = true;
+  if (seen_ && !force.isZero(0)) seen_->applied_force.resize(seen_->size(), Vec3::Zero());
+  if (seen_ && !seen_->applied_force.empty()) seen_->applied_force[row] = force;
 }
 
 }  // namespace breccia

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/chunks.hpp"
+#include "engine/exact_sum.hpp"
 #include "engine/neighbour_search.hpp"
 
 namespace breccia {
@@ -111,14 +113,20 @@ void take_over(Pairs& q, std::vector<Rows>& blocks, std::size_t size, const Inte
 }
 
 /// The farthest from where the strain of the space alone would have taken it, all but a motion in common.
-double largest_against(const State& s, const std::vector<Vec3>& from, const Cell& cell) {
+double largest_against(const State& s, const std::vector<Vec3>& from, const Cell& cell, RankLink* link) {
   const Mat3 growth = Mat3::Identity() + (s.cell.vectors() - cell.vectors()) * cell.inverse();
   const auto x = s.particles.position();
-  Vec3 mean = Vec3::Zero();
-  for (std::size_t k = 0; k < x.size(); ++k) mean += (x[k] - growth * from[k]) / double(x.size());
+  const Particles& p = s.particles;
+  std::vector<ExactSum> sums(4);
+  for (int c = 0; c < 3; ++c)
+    add_block_by_block(p, sums[std::size_t(c)], [&](std::size_t k) { return x[k][c] - (growth * from[k])[c]; });
+  sums[3].add(double(p.end_own() - p.first_own()));
+  const std::vector<double> all = totals(sums, link);
+  const Vec3 mean = Vec3(all[0], all[1], all[2]) / all[3];
   double most = 0;
-  for (std::size_t k = 0; k < x.size(); ++k) most = std::max(most, (x[k] - growth * from[k] - mean).squaredNorm());
-  return std::sqrt(most);
+  for (std::size_t k = p.first_own(); k < p.end_own(); ++k)
+    most = std::max(most, (x[k] - growth * from[k] - mean).squaredNorm());
+  return std::sqrt(link ? link->largest_of(most) : most);
 }
 
 }  // namespace
@@ -137,7 +145,7 @@ void rebuild_pairs(State& s, const Interactions& law, double skin, int threads) 
     Rows& rows = blocks[b];
     std::vector<Index> partners;
     Memory memory(s, q, law);
-    for (Index i = Index(b * Rows::particles); i < std::min<std::size_t>(n, (b + 1) * Rows::particles); ++i) {
+    for (Index i = Index(b * Rows::particles); i < std::min<std::size_t>(p.end_own(), (b + 1) * Rows::particles); ++i) {
       partners.clear();
       search.append_partners(i, partners);
       for (std::size_t k = bond_start[i]; k < bond_start[i + 1]; ++k)
@@ -146,6 +154,7 @@ void rebuild_pairs(State& s, const Interactions& law, double skin, int threads) 
       for (std::size_t k = old_start[i]; k < old_start[i + 1]; ++k)
         if (distance(s, i, q.j[k]) >= p.radius()[i] + p.radius()[q.j[k]] + skin && memory.holds(k))
           partners.push_back(q.j[k]);
+      if (!p.own(i)) std::erase_if(partners, [&](Index j) { return !p.own(j); });
       std::sort(partners.begin(), partners.end());
       partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
       std::size_t at = old_start[i];
@@ -236,13 +245,14 @@ Incidence make_incidence(const State& s, int threads) {
   return in;
 }
 
-double largest_displacement(const State& s, const std::vector<Vec3>& from, const Cell& cell, int threads) {
-  if (s.cell.vectors() != cell.vectors()) return largest_against(s, from, cell);
+double largest_displacement(const State& s, const std::vector<Vec3>& from, const Cell& cell, int threads,
+                            RankLink* link) {
+  if (s.cell.vectors() != cell.vectors()) return largest_against(s, from, cell, link);
   double most = 0;
 #pragma omp parallel for schedule(static) num_threads(threads) reduction(max : most)
-  for (std::size_t k = 0; k < s.particles.size(); ++k)
+  for (std::size_t k = s.particles.first_own(); k < s.particles.end_own(); ++k)
     most = std::max(most, (s.particles.position()[k] - from[k]).squaredNorm());
-  return std::sqrt(most);
+  return std::sqrt(link ? link->largest_of(most) : most);
 }
 
 }  // namespace breccia

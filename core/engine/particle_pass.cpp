@@ -148,12 +148,18 @@ void complete_forces(State& s, const Share& share, const Partition& partition, c
                      const ExternalLoads& loads) {
   Particles& p = s.particles;
   const bool moments = !s.pairs.moment.empty();
-  const auto add_load = [&](Index a, const ExternalLoads::Load* of_group) {
-    p.force()[a] += of_group[a % ExternalLoads::group].force;
-    p.torque()[a] += of_group[a % ExternalLoads::group].torque;
+  const auto add_load = [&](Index a) {
+    if (const auto* const load = loads.of(a)) {
+      p.force()[a] += load->force;
+      p.torque()[a] += load->torque;
+    }
   };
   std::size_t row = 0;
   for (const Index a : share.apart) {
+    if (!p.own(a)) {
+      row += in.start[a + 1] - in.start[a];
+      continue;
+    }
     for (std::size_t e = in.start[a]; e < in.start[a + 1]; ++e) {
       const CutForce& q = partition.cut[share.cut[row++]];
       const double sign = in.entry[e] & 1 ? -1.0 : 1.0, arm = p.radius()[a] + q.half_gap;
@@ -162,13 +168,14 @@ void complete_forces(State& s, const Share& share, const Partition& partition, c
       p.force()[a] += sign * Vec3(q.fx, q.fy, q.fz);
       p.torque()[a] += torque;
     }
-    if (const auto* const load = loads.of_group(a)) add_load(a, load);
+    add_load(a);
   }
-  for (Index first = share.first_particle, end; first < share.end_particle; first = end) {
-    end = std::min(share.end_particle, Index((first / ExternalLoads::group + 1) * ExternalLoads::group));
-    if (const auto* const load = loads.of_group(first))
-      for (Index a = first; a < end; ++a)
-        if (!partition.apart[a]) add_load(a, load);
+  const std::size_t last = std::min<std::size_t>(share.end_particle, p.end_own());
+  for (std::size_t first = std::max<std::size_t>(share.first_particle, p.first_own()), end; first < last; first = end) {
+    end = std::min(last, loads.end_of_group(first));
+    if (!loads.of(first)) continue;
+    for (std::size_t a = first; a < end; ++a)
+      if (!partition.apart[a]) add_load(Index(a));
   }
 }
 
@@ -220,15 +227,18 @@ class SeenFromCell {
   Vec3 ahead_[block], push_[block], before_[block];
 };
 
-PassSums integrate(State& s, const Damping& damping, const CellMotion& cell, bool any_applied, int threads) {
+double integrate(State& s, const Damping& damping, const CellMotion& cell, bool any_applied, int threads,
+                 std::span<BlockAccount> accounts) {
   Particles& p = s.particles;
   const double dt = s.time_step;
-  const std::size_t n = p.size(), blocks = (n + block - 1) / block;
-  std::vector<PassSums> sums(blocks);
-#pragma omp parallel for schedule(static) num_threads(threads)
+  const std::size_t blocks = blocks_of(p);
+  BRECCIA_ASSERT(accounts.size() == blocks);
+  double fastest = 0;
+#pragma omp parallel for schedule(static) num_threads(threads) reduction(max : fastest)
   for (std::ptrdiff_t b = 0; b < std::ptrdiff_t(blocks); ++b) {
-    PassSums& sum = sums[b];
-    const std::size_t first = std::size_t(b) * block, end = std::min(n, first + block);
+    BlockAccount& sum = accounts[std::size_t(b)];
+    const std::size_t first = p.first_own() + std::size_t(b) * block, end = std::min(p.end_own(), first + block);
+    double speed = 0;
     Losses moving, turning;
     if (any_applied) sum.boundary_work += half_applied_work(p, first, end, dt);
     {
@@ -241,54 +251,49 @@ PassSums integrate(State& s, const Damping& damping, const CellMotion& cell, boo
                          moving);
       if (seen) sum.damping += seen->damped(dt);
       advance_spins(&p.motion[first], &p.load[first], &p.held[first], end - first, damping.rotational, dt, turning);
-      sum.largest_speed = largest_speed(p, first, end);
+      speed = largest_speed(p, first, end);
     }
     if (any_applied) sum.boundary_work += half_applied_work(p, first, end, dt);
     for (std::size_t k = 0; k < end - first; ++k) {
       sum.damping += moving.damped[k] + turning.damped[k];
       sum.boundary_work += moving.held[k] + turning.held[k];
     }
-    if (sum.largest_speed < infinity) advance_positions(&p.motion[first], end - first, dt);
+    fastest = std::max(fastest, speed);
+    if (speed < infinity) advance_positions(&p.motion[first], end - first, dt);
   }
-  PassSums total;
-  for (const PassSums& sum : sums) {
-    total.damping += sum.damping;
-    total.boundary_work += sum.boundary_work;
-    total.largest_speed = std::max(total.largest_speed, sum.largest_speed);
-  }
-  return total;
+  return fastest;
 }
 
 void undo_positions(State& s) {
   Particles& p = s.particles;
-  for (std::size_t first = 0; first < p.size(); first += block) {
-    const std::size_t end = std::min(p.size(), first + block);
+  for (std::size_t first = p.first_own(); first < p.end_own(); first += block) {
+    const std::size_t end = std::min(p.end_own(), first + block);
     if (largest_speed(p, first, end) < infinity) advance_positions(&p.motion[first], end - first, -s.time_step);
   }
 }
 
-double led_work_behind(const State& s) {
+void add_led_work_behind(const State& s, ExactSum& to) {
   const Particles& p = s.particles;
-  double sum = 0;
-  for (std::size_t a = 0; a < p.size(); ++a)
+  add_block_by_block(p, to, [&](std::size_t a) {
+    double sum = 0;
     for (int k = 0; k < 3; ++k) {
       if (p.held[a] >> k & 1) sum -= p.force()[a][k] * p.velocity()[a][k];
       if (p.held[a] >> (k + 3) & 1) sum -= p.torque()[a][k] * p.angular_velocity()[a][k];
     }
-  return 0.5 * s.time_step * sum;
+    return 0.5 * s.time_step * sum;
+  });
 }
 
-double kinetic_energy(const State& s) {
+void add_kinetic_energy(const State& s, ExactSum& to) {
   const Particles& p = s.particles;
-  double sum = 0;
-  for (std::size_t a = 0; a < p.size(); ++a) {
-    sum += p.mass()[a] * p.velocity()[a].squaredNorm() + p.inertia()[a] * p.angular_velocity()[a].squaredNorm();
+  add_block_by_block(p, to, [&](std::size_t a) {
+    double sum = p.mass()[a] * p.velocity()[a].squaredNorm() + p.inertia()[a] * p.angular_velocity()[a].squaredNorm();
     for (int k = 0; k < 3; ++k) {
       if (!(p.held[a] >> k & 1)) sum += s.time_step * p.velocity()[a][k] * p.force()[a][k];
       if (!(p.held[a] >> (k + 3) & 1)) sum += s.time_step * p.angular_velocity()[a][k] * p.torque()[a][k];
     }
-  }
-  return 0.5 * sum;
+    return 0.5 * sum;
+  });
 }
 
 }  // namespace breccia

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "engine/cell_motion.hpp"
 #include "engine/law_probe.hpp"
@@ -28,7 +29,9 @@ Simulation::Simulation(State state, Interactions laws, const EngineSettings& set
   skin_ = settings_.skin * mean_radius;
   reach_ = std::min(settings_.skin, counted_reach) * mean_radius;
   pair_length_ = 2 * *std::max_element(r.begin(), r.end()) + skin_;
+  solid_volume_ = breccia::solid_volume(r, state_);
   loads_.reset(state_);
+  if (settings_.link) parts_.emplace(*settings_.link);
 }
 
 BondingResult Simulation::bond(const BondingRule& rule, const std::optional<SpecimenToTell>& told) {
@@ -48,14 +51,13 @@ BondingResult Simulation::bond(const BondingRule& rule, const std::optional<Spec
   return result;
 }
 
-double Simulation::porosity() const {
-  return 1 - solid_volume(state_.particles.radius(), state_) / state_.specimen.volume;
-}
+double Simulation::porosity() const { return 1 - solid_volume_ / state_.specimen.volume; }
 
 void Simulation::prepare() {
   critical_ = bound_ = std::numeric_limits<double>::infinity();
   mass_pending_ = settings_.added_mass > 0;
   state_.positions_at_look.clear();  // all pairs are to be looked at
+  if (parts_) cut();
   rebuild();
   check_stiffness(state_, laws_);
   if (!std::isfinite(critical_) && reach_ < skin_) {  // nothing touches yet: what may do so some day sets the step
@@ -64,7 +66,7 @@ void Simulation::prepare() {
     look();
   }
   mass_pending_ = false;
-  if (!std::isfinite(critical_) && state_.bonds.size() > 0)
+  if (!std::isfinite(critical_) && (link() ? link()->any(state_.bonds.size() > 0) : state_.bonds.size() > 0))
     throw UserError("contact law " + laws_.names() + " states no stiffness for any of the " +
                     std::to_string(state_.bonds.size()) + " bonds: there is none to set a time step");
   if (!std::isfinite(critical_))
@@ -74,7 +76,9 @@ void Simulation::prepare() {
 }
 
 std::optional<StepSetter> Simulation::step_setter(double ratio) {
-  return find_step_setter(state_, laws_, incidence_, reach_, bound_, ratio, settings_.threads);
+  const auto found = find_step_setter(state_, laws_, incidence_, reach_, bound_, ratio, settings_.threads, link());
+  if (found) gather();  // who asks wants to know more of it
+  return found;
 }
 
 void Simulation::check_critical_step() {
@@ -86,7 +90,8 @@ void Simulation::check_critical_step() {
 }
 
 void Simulation::rebuild() {
-  fold_chunk_sums();
+  fold_accounts();
+  if (link()) balance();
   rebuild_pairs(state_, laws_, skin_, settings_.threads);
   rebuild_wall_touches(state_, skin_);
   deal_pairs();
@@ -105,6 +110,12 @@ void Simulation::deal_pairs() {
   chunk_broke_.assign(chunks_.size(), 0);
   released_.assign(partition_.shares.size(), {});
   if (state_.cell.repeats()) chunk_cell_forces_.resize(chunks_.size());
+  block_accounts_.assign(blocks_of(state_.particles), {});
+  pairs_ = state_.pairs.size();
+  if (link()) {
+    const auto of_rank = link()->numbers_of_all(pairs_ - chunks_.start[chunks_.first_counted()]);
+    pairs_ = std::accumulate(of_rank.begin(), of_rank.end(), std::size_t(0));
+  }
   if (const auto& guarded = state_.bonds.guarded; !guarded.empty()) {
     guarded_pairs_.assign(state_.pairs.size(), 0);
     for (std::size_t k = 0; k < state_.pairs.size(); ++k)
@@ -119,14 +130,16 @@ void Simulation::look() {
   if (mass_pending_) add_mass_for_step();
   const bool spectral = settings_.time_step == TimeStep::spectral, all = state_.positions_at_look.empty();
   const std::vector<Index> changed = spectral ? spectral_.changed(state_, reach_) : newly_within_reach(state_, reach_);
-  const double bound = critical_time_step(state_, laws_, incidence_, changed, reach_, settings_.threads);
+  double bound = critical_time_step(state_, laws_, incidence_, changed, reach_, settings_.threads);
+  if (link()) bound = link()->least_of(bound);
   bound_ = std::min(bound_, bound);
   if (!spectral || !(bound_ > 0 && std::isfinite(bound_))) {
     critical_ = std::min(critical_, bound);
   } else {
     const double step =
-        all ? spectral_.estimate(state_, laws_, incidence_, reach_, settings_.threads).step
-            : spectral_.look(state_, laws_, incidence_, reach_, settings_.threads, changed, bound, critical_).step;
+        all ? spectral_.estimate(state_, laws_, incidence_, reach_, settings_.threads, link()).step
+            : spectral_.look(state_, laws_, incidence_, reach_, settings_.threads, changed, bound, critical_, link())
+                  .step;
     critical_ = std::max(bound_, std::min(critical_, step));
   }
   check_critical_step();
@@ -148,18 +161,23 @@ double Simulation::share_of_critical() const {
 /// Before the first step is chosen: all that follows knows the particles with the masses they have then.
 void Simulation::add_mass_for_step() {
   Particles& p = state_.particles;
-  std::vector<double> factors;
-  added_mass_ = add_mass(p.mass(), time_step_of_each(state_, laws_, incidence_, reach_, settings_.threads),
-                         settings_.added_mass, factors);
+  std::vector<double> factors, mass(p.mass().begin(), p.mass().end()),
+      steps = time_step_of_each(state_, laws_, incidence_, reach_, settings_.threads);
+  if (link()) {  // the order of all steps counts; it is asked for once
+    steps = parts_->gathered_rows(steps, p, true);
+    mass = parts_->gathered_rows(mass, p, true);
+  }
+  added_mass_ = add_mass(Strided<const double>(mass), steps, settings_.added_mass, factors);
   for (std::size_t a = 0; a < p.size(); ++a) {
-    p.mass()[a] *= factors[a];
-    p.inertia()[a] *= factors[a];
+    p.mass()[a] *= factors[p.row_of(a)];
+    p.inertia()[a] *= factors[p.row_of(a)];
   }
   mass_pending_ = added_mass_.particles == 0;
 }
 
 void Simulation::follow_neighbours() {
   State& s = state_;
+  if (link() && std::exchange(any_released_, false)) look_at_all_ = link()->any(look_at_all_);
   if (look_at_all_) {  // what was held moves again, and may swing faster than the rest
     look_at_all_ = false;
     s.positions_at_look.clear();
@@ -172,7 +190,7 @@ void Simulation::follow_neighbours() {
                           double gap) {
     const double allowed = 0.9 * gap - strained * pair_length_;
     if (2 * moved <= allowed && moved + walls <= allowed) return false;
-    moved = largest_displacement(s, from, cell, settings_.threads);
+    moved = largest_displacement(s, from, cell, settings_.threads, link());
     return 2 * moved > 0.9 * allowed || moved + walls > 0.9 * allowed;
   };
   if (closed(s.moved_bound, s.walls_moved, s.strained, s.positions_at_rebuild, s.cell_at_rebuild, skin_)) rebuild();
@@ -185,7 +203,11 @@ void Simulation::forces(bool to_be_viewed) {
   State& s = state_;
   BRECCIA_ASSERT(!forces_known_);  // a second time would move springs and ledger on without a step
   forces_known_ = true;
+  whole_.reset();
+  seen_are_now_ = false;
   follow_neighbours();
+  const std::size_t of_walls = wall_sums(s), of_cell = s.cell.repeats() ? 18 : 0;
+  step_sums_.assign(of_walls + of_cell + (link() ? 1 : 0), ExactSum());  // the last: bonds that break
   PairBatch all = whole_batch(s, columns_);
   all.dissipated = chunk_dissipated_.data();
   all.chunk_broke = chunk_broke_.data();
@@ -213,25 +235,46 @@ void Simulation::forces(bool to_be_viewed) {
       if (mine.begin < mine.end) laws_.evaluate(mine);
     }
 #pragma omp single  // the first to be through; at its end the others are, too
-    wall_forces(s, loads_);
+    wall_forces(s, loads_, std::span(step_sums_).first(of_walls));
 #pragma omp for schedule(static, 1)
     for (std::size_t t = 0; t < shares; ++t) complete_forces(s, partition_.shares[t], partition_, incidence_, loads_);
   }
-  record_breaks();
+  const std::size_t broke = record_breaks();
   settle_led();
-  if (s.cell.repeats()) fold_cell_forces();
+  if (of_cell) add_cell_forces(std::span(step_sums_).subspan(of_walls, of_cell));
+  if (link()) step_sums_.back().add(double(broke));
+  const std::vector<double> sums = totals(step_sums_, link());
+  broken_ += link() ? std::size_t(sums.back()) : broke;
+  take_wall_forces(s, std::span(sums).first(of_walls));
+  if (of_cell) take_cell_forces(std::span(sums).subspan(of_walls, of_cell));
 }
 
-void Simulation::fold_cell_forces() {
-  state_.cell_forces = {};
-  for (const CellForces& chunk : chunk_cell_forces_) {
-    state_.cell_forces.across += chunk.across;
-    state_.cell_forces.virial += chunk.virial;
+/// Those of a block's chunks in their order, then exactly.
+void Simulation::add_cell_forces(std::span<ExactSum> sums) const {
+  for (std::size_t b = 0; b < chunks_.blocks(); ++b) {
+    CellForces block;
+    for (std::size_t c = chunks_.block_start[b]; c < chunks_.block_start[b + 1]; ++c) {
+      block.across += chunk_cell_forces_[c].across;
+      block.virial += chunk_cell_forces_[c].virial;
+    }
+    for (int k = 0; k < 9; ++k) {
+      sums[std::size_t(k)].add(block.across.data()[k]);
+      sums[std::size_t(9 + k)].add(block.virial.data()[k]);
+    }
   }
 }
 
-void Simulation::record_breaks() {
+void Simulation::take_cell_forces(std::span<const double> of) {
+  for (int k = 0; k < 9; ++k) {
+    state_.cell_forces.across.data()[k] = of[std::size_t(k)];
+    state_.cell_forces.virial.data()[k] = of[std::size_t(9 + k)];
+  }
+}
+
+/// Returns how many of the bonds that are counted here broke.
+std::size_t Simulation::record_breaks() {
   State& s = state_;
+  std::size_t broke = 0;
   for (std::vector<Released>& of_share : released_) {
     for (const Released& r : of_share) {
       const Index b = s.pairs.bond[r.pair];
@@ -254,7 +297,7 @@ void Simulation::record_breaks() {
       const double distance =
           std::sqrt(branch.x() * branch.x() + branch.y() * branch.y() + branch.z() * branch.z());  // as the loop has it
       const double half_gap = 0.5 * (distance - s.particles.radius()[i] - s.particles.radius()[j]);
-      broken_ += !is_broken(s.bonds.state[b]) && is_broken(s.pairs.state[k]);
+      broke += c >= chunks_.first_counted() && !is_broken(s.bonds.state[b]) && is_broken(s.pairs.state[k]);
       s.bonds.state[b] = s.pairs.state[k];
       const Vec3 normal = branch.normalized();
       const Crack crack{s.time, s.particles.position()[i] + (s.particles.radius()[i] + half_gap) * normal, normal,
@@ -263,11 +306,13 @@ void Simulation::record_breaks() {
       if (row == BondsView::no_crack) {
         row = Index(s.bonds.cracks.size());
         s.bonds.cracks.push_back(crack);
+        if (link()) parts_->note_crack(s, b);
       } else {
         s.bonds.cracks[row] = crack;
       }
     }
   }
+  return broke;
 }
 
 /// No test can be made of a few steps: a wall would be through the specimen before it was stopped.
@@ -299,14 +344,19 @@ void Simulation::advance() {
   BRECCIA_ASSERT(forces_known_);
   refuse_long_way();
   forces_known_ = false;
-  const CellMotion cell = s.cell.repeats() ? lead_cell(s, settings_.threads) : CellMotion{};
-  const PassSums sums = integrate(s, settings_.damping, cell, any_applied_, settings_.threads);
-  s.energy.damping += sums.damping;
-  s.energy.boundary_work += sums.boundary_work;
+  whole_.reset();
+  seen_are_now_ = false;
+  if (any_led_) fold_led();
+  const CellMotion cell = s.cell.repeats() ? lead_cell(s, link()) : CellMotion{};
+  double speed = integrate(s, settings_.damping, cell, any_applied_, settings_.threads, block_accounts_);
+  if (link()) {
+    speed = link()->largest_of(speed);
+    link()->forward(s.particles.motion);
+  }
   move_walls(s);
   move_cell(s);
-  s.moved_bound += sums.largest_speed * s.time_step;
-  s.moved_since_look += sums.largest_speed * s.time_step;
+  s.moved_bound += speed * s.time_step;
+  s.moved_since_look += speed * s.time_step;
   if (!std::isfinite(s.moved_bound)) {
     undo_positions(s);
     if (const auto blame = blame_force(s, laws_)) throw UserError(*blame);
@@ -316,38 +366,5 @@ void Simulation::advance() {
   s.time += s.time_step;
   ++s.step;
 }
-
-void Simulation::fold_chunk_sums() {
-  for (std::size_t k = 0; k < chunk_dissipated_.size(); ++k) {
-    Dissipated& chunk = chunk_dissipated_[k];
-    Dissipated& of_law = state_.dissipated[k % laws_.size()];
-    state_.energy.friction += chunk.friction;
-    state_.energy.contact += chunk.contact;
-    state_.energy.fracture += chunk.fracture;
-    of_law.friction += chunk.friction;
-    of_law.contact += chunk.contact;
-    of_law.fracture += chunk.fracture;
-    chunk = {};
-  }
-}
-
-double Simulation::energy_of_pairs() {
-  std::vector<double*> columns;
-  const PairBatch all = whole_batch(state_, columns);
-  std::vector<double> sums(chunks_.blocks());
-#pragma omp parallel for schedule(static) num_threads(settings_.threads)
-  for (std::size_t b = 0; b < sums.size(); ++b) {
-    PairBatch mine = all;
-    mine.begin = chunks_.start[chunks_.block_start[b]];
-    mine.end = chunks_.start[chunks_.block_start[b + 1]];
-    sums[b] = laws_.energy(mine);
-  }
-  const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
-  if (!std::isfinite(sum))
-    if (const auto blame = blame_energy(state_, laws_)) throw UserError(*blame);
-  return sum;
-}
-
-double Simulation::elastic_energy() { return energy_of_pairs() + wall_energy(state_); }
 
 }  // namespace breccia

@@ -2,6 +2,7 @@
 /// The step loop: owns the state and everything that is derived from it.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "breccia/protocol.hpp"
@@ -10,6 +11,7 @@
 #include "engine/neighbours.hpp"
 #include "engine/particle_pass.hpp"
 #include "engine/partition.hpp"
+#include "engine/parts.hpp"
 #include "engine/spectral_step.hpp"
 #include "engine/time_step.hpp"
 
@@ -25,6 +27,7 @@ struct EngineSettings {
   double skin = 0.3;      ///< of the neighbour list, in mean radii
   double added_mass = 0;  ///< share of the total mass that may be added for a longer time step
   int threads = 1;
+  RankLink* link = nullptr;  ///< to the other ranks of the job; null where there is none. Outlives the simulation
 };
 
 /// What the laws are told of the specimen instead of what the engine measures: of a pair that is driven by itself.
@@ -50,12 +53,20 @@ class Simulation final : public LoadControl {
   bool forces_known() const { return forces_known_; }  ///< the resultants are those of the present positions
 
   SimulationView view();  ///< valid until the next call that changes anything
-  const State& state() const { return state_; }
+  /// Of a specimen in parts this rank's; on the first rank all of it from `view()` or `gather()` until the next call
+  /// that changes anything; the others then see no lists.
+  const State& state() const { return whole_ ? whole_->state : state_; }
+  /// Brings the parts of the specimen together on the first rank, for `state` and `archive`; all ranks call it
+  /// together. Nothing where there is one.
+  void gather();
+  std::size_t pairs() const { return pairs_; }                     ///< of the whole specimen, when the list was made
+  double seconds_gathering() const { return seconds_gathering_; }  ///< so far, for views and for protocols that look
   std::uint64_t rebuilds() const { return rebuilds_; }
   double critical_step() const { return critical_; }
   double step_over_bound() const { return critical_ / bound_; }  ///< critical step over that of single particles
   const AddedMass& added_mass() const { return added_mass_; }
   int mode_products() const { return spectral_.products(); }  ///< matrix-vector products that the step has cost
+  double fastest_boundary();                                  ///< of walls, held particles and the cell [m/s]
   /// After `prepare()`: the few particles, if any, whose bound is more than `ratio` times below that of the others.
   std::optional<StepSetter> step_setter(double ratio);
   bool loading_started() const { return loading_started_; }
@@ -97,6 +108,15 @@ class Simulation final : public LoadControl {
   BondStiffness bond_stiffness() override;
 
  private:
+  /// The link when the specimen is in parts, else null: all that is here is all there is.
+  RankLink* link() const { return parts_ && parts_->parted() ? &parts_->link() : nullptr; }
+  static constexpr Index elsewhere = 0xffffffffu;
+  Index here(Index row) const;  ///< of a row of the whole; or `elsewhere`
+  void cut();
+  void join();
+  void balance();
+  void gather(bool for_archive, bool everywhere);
+  void see_particles() const;
   void rebuild();
   void deal_pairs();
   void archive_state(Archive& archive);
@@ -107,15 +127,21 @@ class Simulation final : public LoadControl {
   void check_critical_step();
   void follow_neighbours();
   void refuse_long_way() const;
-  void record_breaks();
-  void fold_chunk_sums();
-  void fold_cell_forces();
+  std::size_t record_breaks();
+  void fold_accounts();
+  void fold_led();
+  void add_cell_forces(std::span<ExactSum> sums) const;
+  void take_cell_forces(std::span<const double> totals);
   void settle_led();
-  double elastic_energy();
+  void add_energy_of_pairs(ExactSum& to);
+  void blame();
+  EnergyLedger ledger();
+  void begin_ledger();
 
   State state_;
   Interactions laws_;
   EngineSettings settings_;
+  double solid_volume_ = 0;  // [m3]
   double skin_ = 0, reach_ = 0, critical_ = 0, bound_ = 0;
   Bonds contacts_;          ///< at the start, where no law makes bonds: for `bond_stiffness`
   double pair_length_ = 0;  ///< how far apart the centres of two neighbours are at the most [m]
@@ -125,8 +151,26 @@ class Simulation final : public LoadControl {
   Incidence incidence_;
   Chunks chunks_;
   Partition partition_;
+  std::optional<Parts> parts_;  ///< where there are other ranks
+  /// The specimen brought together, until something changes.
+  struct Whole {
+    State state;
+    Bonds contacts;
+    SpectralStep spectral;
+    ExternalLoads loads;
+    std::vector<Dissipated> chunk_dissipated;
+    std::vector<BlockAccount> block_accounts;
+    bool for_archive = false;
+  };
+  std::unique_ptr<Whole> whole_;
+  mutable std::optional<Particles> seen_;  ///< those of all ranks, for a protocol
+  mutable bool seen_are_now_ = false;
+  mutable double seconds_gathering_ = 0;
+  std::size_t pairs_ = 0;
   std::vector<double*> columns_;
-  std::vector<Dissipated> chunk_dissipated_;  ///< of each chunk, law by law
+  std::vector<Dissipated> chunk_dissipated_;  ///< of each chunk, law by law, since the ledger was looked at
+  std::vector<BlockAccount> block_accounts_;  ///< of each block of own particles, likewise
+  std::vector<ExactSum> step_sums_;
   std::vector<std::uint8_t> chunk_broke_;
   std::vector<std::vector<Released>> released_;  ///< in this step, of each share; empty between steps
   std::vector<CellForces> chunk_cell_forces_;    ///< of each chunk; none where space does not repeat itself
@@ -134,11 +178,13 @@ class Simulation final : public LoadControl {
   ExternalLoads loads_;
   /// A component of a held particle's velocity (0 to 2) or spin (3 to 5) that was changed.
   struct Led {
-    Index particle;
+    Index particle;  ///< row in the whole specimen
     int component;
     double by;
   };
   std::vector<Led> led_;  ///< before the forces were known
+  ExactSum led_work_;     ///< of those who led particles, not yet in the ledger
+  bool any_led_ = false, any_released_ = false;
   bool any_applied_ = false, loading_started_ = false, pair_forces_known_ = true, forces_known_ = false;
   std::uint64_t rebuilds_ = 0;
   std::size_t broken_ = 0;  ///< of the bonds

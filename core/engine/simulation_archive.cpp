@@ -91,16 +91,30 @@ void SpectralStep::archive(Archive& archive, const std::vector<Index>& id) {
   archive("products", products_);
 }
 
+/// Of a specimen in parts: read by all ranks, written by the first from what `gather()` has brought there.
 void Simulation::archive(Archive& archive) {
   const std::size_t walls = state_.walls.size();
+  const bool in_parts = link();
+  if (in_parts && archive.reading()) join();
+  if (in_parts && !archive.reading()) BRECCIA_ASSERT(whole_ && whole_->for_archive);
+  const auto swap_whole = [&] {
+    std::swap(state_, whole_->state);
+    std::swap(spectral_, whole_->spectral);
+    std::swap(loads_, whole_->loads);
+    chunk_dissipated_.swap(whole_->chunk_dissipated);
+    block_accounts_.swap(whole_->block_accounts);
+  };
+  if (link()) swap_whole();
   archive_state(archive);
+  if (link()) swap_whole();
+  else if (in_parts) cut();
   if (state_.walls.size() != walls)
     throw UserError("the test of the checkpoint has " + std::to_string(state_.walls.size()) + " walls, this one " +
                     std::to_string(walls) + ": with these values of its protocol it cannot go on from there");
 }
 
 void Simulation::archive_state(Archive& archive) {
-  BRECCIA_ASSERT(!forces_known_ && led_.empty() && !mass_pending_);
+  BRECCIA_ASSERT(!forces_known_ && led_.empty() && !mass_pending_ && (archive.reading() || !any_led_));
   State& s = state_;
   const std::vector<Index>& id = s.particles.id;
   archive("time", s.time);
@@ -165,6 +179,7 @@ void Simulation::take_specimen(Archive& from) {
   s.energy = {};
   s.dissipated.assign(laws_.size(), {});
   chunk_dissipated_.assign(chunk_dissipated_.size(), {});
+  block_accounts_.assign(block_accounts_.size(), {});
   s.cell_velocity_asked.setZero();
   s.reference_cell = s.cell;
   p.reference_position.assign(p.position().begin(), p.position().end());
@@ -198,6 +213,8 @@ void Simulation::archive_lists(Archive& archive) {
   if (archive.reading()) deal_pairs();
   // Not yet in the ledger: added up there when it is looked at, and at no other time.
   archive("chunk_dissipated", chunk_dissipated_);
+  archive("block_accounts", block_accounts_);
+  if (archive.reading()) led_work_ = {};
 }
 
 }  // namespace breccia

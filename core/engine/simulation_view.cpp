@@ -7,8 +7,9 @@
 
 namespace breccia {
 
-ParticlesView Simulation::particles() const {
-  const Particles& p = state_.particles;
+namespace {
+
+ParticlesView view_of(const Particles& p) {
   return {p.position(),
           p.velocity(),
           p.angular_velocity(),
@@ -24,8 +25,6 @@ ParticlesView Simulation::particles() const {
           p.material};
 }
 
-namespace {
-
 /// A force that holds a particle is the opposite of what the others do to it.
 std::vector<Mat3> boundary_moments(const Particles& p) {
   std::vector<Mat3> moment = p.applied_moment;
@@ -39,18 +38,27 @@ std::vector<Mat3> boundary_moments(const Particles& p) {
 
 }  // namespace
 
+ParticlesView Simulation::particles() const {
+  if (!link()) return view_of(state_.particles);
+  see_particles();
+  return view_of(*seen_);
+}
+
+/// Of a specimen in parts the first rank has the lists, the others what is no list.
 SimulationView Simulation::view() {
   BRECCIA_ASSERT(pair_forces_known_);
-  State& s = state_;
-  fold_chunk_sums();
+  const EnergyLedger energy = ledger();
+  if (link()) gather(false, false);
+  const State& s = state();
   SimulationView v;
+  v.energy = energy;
   static_cast<Space&>(v) = s;
   v.initial_cell = s.reference_cell;
   v.time = s.time;
   v.time_step = s.time_step;
   v.step = s.step;
   const Particles& p = s.particles;
-  v.particles = particles();
+  v.particles = view_of(p);
   v.particles.boundary_moment = boundary_moment_ = boundary_moments(p);
   v.pairs = {s.pairs.i, s.pairs.j, s.pairs.rest_length, s.pairs.state, s.pairs.bond, s.pairs.force, s.pairs.moment, {}};
   for (const auto& c : s.pairs.columns) v.pairs.columns.emplace_back(c);
@@ -71,14 +79,6 @@ SimulationView Simulation::view() {
   v.walls = wall_views_;
   v.wall_contacts = wall_contacts_;
   v.specimen = s.specimen;
-  v.energy.initial = s.energy.initial;
-  v.energy.boundary_work = s.energy.boundary_work - wall_work_ahead(s) + led_work_behind(s) + cell_work_behind(s);
-  v.energy.elastic = elastic_energy();
-  v.energy.kinetic = kinetic_energy(s);
-  v.energy.friction = s.energy.friction;
-  v.energy.damping = s.energy.damping;
-  v.energy.contact = s.energy.contact;
-  v.energy.fracture = s.energy.fracture;
   return v;
 }
 

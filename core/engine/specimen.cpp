@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/specimen.hpp"
 
+#include <array>
 #include <numbers>
 
 namespace breccia {
 
 SpecimenShape measure_specimen(Strided<const Vec3> position, Strided<const double> radius,
                                SpecimenShape::Outline outline, const Vec3& axis, const Space& space,
-                               double container_volume) {
+                               double container_volume, RankLink* link) {
   SpecimenShape s;
   s.outline = outline;
   s.axis = axis.normalized();
@@ -19,6 +20,14 @@ SpecimenShape measure_specimen(Strided<const Vec3> position, Strided<const doubl
     const double along = position[k].dot(s.axis);
     bottom = std::min(bottom, along - radius[k]);
     top = std::max(top, along + radius[k]);
+  }
+  if (link) {
+    std::array<double, 8> most{-low.x(), -low.y(), -low.z(), high.x(), high.y(), high.z(), -bottom, top};
+    link->largest(most);
+    low = -Vec3(most[0], most[1], most[2]);
+    high = Vec3(most[3], most[4], most[5]);
+    bottom = -most[6];
+    top = most[7];
   }
   const bool flat = space.dimension == 2;
   if (flat) {
@@ -44,6 +53,7 @@ SpecimenShape measure_specimen(Strided<const Vec3> position, Strided<const doubl
       const Vec3 from_base = position[k] - s.base;
       r = std::max(r, (from_base - from_base.dot(s.axis) * s.axis).norm() + radius[k]);
     }
+    if (link) r = link->largest_of(r);
     s.cross_section_area = std::numbers::pi * r * r;
   } else {
     // The axis is a coordinate direction for a box: the other two extents make its cross-section.

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/chunks.hpp"
 #include "engine/time_step.hpp"
 
 namespace breccia {
 namespace {
 
-constexpr std::size_t block = 256;  // grain of the sums: never depends on the thread count
 constexpr double tolerance = 2e-3;  // of the eigenvalue: 1e-3 of the step
 /// A random vector sees the largest eigenvalue within 2 % after so many, whatever the spectrum, unless one is unlucky
 /// as one in thousands is (Kuczynski and Wozniakowski 1992, Theorem 4.1, at 6e4 degrees of freedom).
@@ -41,18 +41,37 @@ struct Direction {
 template <std::size_t N>
 using Sums = std::array<double, N>;
 
-/// Sum over the particles of what `add(a, sums)` adds, over blocks in their order.
-template <std::size_t N, class Add>
-Sums<N> sum_over(std::size_t n, int threads, const Add& add) {
-  std::vector<Sums<N>> blocks((n + block - 1) / block, Sums<N>{});
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-    for (std::size_t a = b * block; a < std::min(n, (b + 1) * block); ++a) add(a, blocks[b]);
-  Sums<N> total{};
-  for (const Sums<N>& s : blocks)
-    for (std::size_t k = 0; k < N; ++k) total[k] += s[k];
-  return total;
-}
+/// Sums over own particles, block by block, and over all ranks.
+class Summing {
+ public:
+  Summing(const Particles& p, int threads, RankLink* link) : p_(p), threads_(threads), link_(link) {}
+  /// Of what `add(a, sums)` adds.
+  template <std::size_t N, class Add>
+  Sums<N> of(const Add& add) const {
+    std::vector<Sums<N>> blocks(blocks_of(p_), Sums<N>{});
+#pragma omp parallel for schedule(static) num_threads(threads_)
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+      const std::size_t first = p_.first_own() + b * particle_block;
+      for (std::size_t a = first; a < std::min(p_.end_own(), first + particle_block); ++a) add(a, blocks[b]);
+    }
+    std::vector<ExactSum> sums(N);
+    for (const Sums<N>& block : blocks)
+      for (std::size_t k = 0; k < N; ++k) sums[k].add(block[k]);
+    const std::vector<double> all = totals(sums, link_);
+    Sums<N> result;
+    std::copy(all.begin(), all.end(), result.begin());
+    return result;
+  }
+  /// Of the vector's rows here, which others may want.
+  void share(std::vector<Vec6>& u) const {
+    if (link_) link_->forward(u);
+  }
+
+ private:
+  const Particles& p_;
+  int threads_;
+  RankLink* link_;
+};
 
 /// A symmetric 3 x 3 matrix of products between x, w, p.
 Mat3 gram(const double* s) {
@@ -72,7 +91,9 @@ Vec3 best_of(const Mat3& k, const Mat3& c, const Mat3& m, double dt, int n) {
 
 }  // namespace
 
-SpectralStep::Result SpectralStep::climb(const StiffnessOperator& system, int threads, int at_least) {
+SpectralStep::Result SpectralStep::climb(const StiffnessOperator& system, const Particles& particles, int threads,
+                                         int at_least, RankLink* link) {
+  const Summing sum_over(particles, threads, link);
   const std::size_t n = system.size();
   const bool damped = system.damped();
   Direction x(n, damped), w(n, damped), p(n, damped);
@@ -86,8 +107,9 @@ SpectralStep::Result SpectralStep::climb(const StiffnessOperator& system, int th
     return m;
   };
   Vec6 none = Vec6::Zero();
+  sum_over.share(x.u);
   // Products of x, and its size.
-  const Sums<3> first = sum_over<3>(n, threads, [&](std::size_t a, Sums<3>& s) {
+  const Sums<3> first = sum_over.of<3>([&](std::size_t a, Sums<3>& s) {
     system.row(a, x.u.data(), x.k[a], damped ? x.c[a] : none);
     const Vec6 m = mass(a).cwiseProduct(x.u[a]);
     s[0] += m.dot(x.u[a]);
@@ -109,7 +131,7 @@ SpectralStep::Result SpectralStep::climb(const StiffnessOperator& system, int th
       pa = y[1] * wa + y[2] * pa;
       xa = y[0] * xa + pa;
     };
-    const Sums<2> sizes = sum_over<2>(n, threads, [&](std::size_t a, Sums<2>& s) {
+    const Sums<2> sizes = sum_over.of<2>([&](std::size_t a, Sums<2>& s) {
       move(x.u[a], w.u[a], p.u[a]);
       move(x.k[a], w.k[a], p.k[a]);
       if (damped) move(x.c[a], w.c[a], p.c[a]);
@@ -124,8 +146,9 @@ SpectralStep::Result SpectralStep::climb(const StiffnessOperator& system, int th
     if (!bounded || result.residual < 1e-10 || result.products >= most ||
         (result.products >= at_least && result.residual < tolerance))
       break;
+    sum_over.share(w.u);
     const double unit_w = 1 / result.residual, unit_p = sizes[1] > 0 ? 1 / std::sqrt(sizes[1]) : 0;
-    const Sums<18> s = sum_over<18>(n, threads, [&](std::size_t a, Sums<18>& sum) {
+    const Sums<18> s = sum_over.of<18>([&](std::size_t a, Sums<18>& sum) {
       system.row(a, w.u.data(), w.k[a], damped ? w.c[a] : none);
       const Vec6 m = mass(a), mx = m.cwiseProduct(x.u[a]), mw = m.cwiseProduct(w.u[a]), mp = m.cwiseProduct(p.u[a]);
       const auto add = [&](double* to, const Vec6& xa, const Vec6& wa, const Vec6& pa) {
@@ -168,25 +191,26 @@ std::vector<Index> SpectralStep::changed(const State& s, double reach) const {
 }
 
 SpectralStep::Result SpectralStep::estimate(State& s, const Interactions& law, const Incidence& in, double reach,
-                                            int threads) {
-  const StiffnessOperator system(s, law, in, reach, threads);
+                                            int threads, RankLink* link) {
+  const StiffnessOperator system(s, law, in, reach, threads, link);
   mode_.assign(system.size() + 1, Vec6::Zero());
   for (std::size_t a = 0; a < system.size(); ++a) set_random(mode_[a], system, a, s.particles.id[a]);
   remember(s, reach);
-  return climb(system, threads, fewest);
+  return climb(system, s.particles, threads, fewest, link);
 }
 
 SpectralStep::Result SpectralStep::look(State& s, const Interactions& law, const Incidence& in, double reach,
                                         int threads, const std::vector<Index>& changed, double bound_of_changed,
-                                        double step) {
+                                        double step, RankLink* link) {
   remember(s, reach);
   const Result unchanged{step, 0, 0};
-  if (changed.empty()) return unchanged;
-  const StiffnessOperator system(s, law, in, reach, threads);
-  const std::size_t n = system.size();
+  if (link ? !link->any(!changed.empty()) : changed.empty()) return unchanged;
+  const StiffnessOperator system(s, law, in, reach, threads, link);
+  const Summing sum_over(s.particles, threads, link);
   const bool damped = system.damped();
   if (bound_of_changed >= step) {
-    const Sums<3> sums = sum_over<3>(n, threads, [&](std::size_t a, Sums<3>& sum) {
+    sum_over.share(mode_);
+    const Sums<3> sums = sum_over.of<3>([&](std::size_t a, Sums<3>& sum) {
       Vec6 k, c = Vec6::Zero(), m;
       system.row(a, mode_.data(), k, c);
       for (int d = 0; d < 6; ++d) {
@@ -201,17 +225,18 @@ SpectralStep::Result SpectralStep::look(State& s, const Interactions& law, const
     if (step_of(0.5 * sums[1] / sums[0], 0.5 * sums[2] / sums[0]) >= step) return unchanged;
   }
   // The old mode and, as large, a random vector of those that changed.
-  double size = 0;
+  std::vector<ExactSum> sizes(1);
   std::vector<Vec6> fresh(changed.size());
   for (std::size_t k = 0; k < changed.size(); ++k) {
     set_random(fresh[k], system, changed[k], s.particles.id[changed[k]]);
     for (int d = 0; d < 6; ++d)
       if (const double inverse = system.inverse_mass(changed[k], d); inverse > 0)
-        size += fresh[k][d] * fresh[k][d] / inverse;
+        sizes[0].add(fresh[k][d] * fresh[k][d] / inverse);
   }
+  const double size = totals(sizes, link)[0];
   if (size > 0)
     for (std::size_t k = 0; k < changed.size(); ++k) mode_[changed[k]] += fresh[k] / std::sqrt(size);
-  return climb(system, threads, fewest_again);
+  return climb(system, s.particles, threads, fewest_again, link);
 }
 
 }  // namespace breccia

@@ -13,7 +13,8 @@ namespace breccia {
 /// preconditioner): as quick as Lanczos' method, but it needs three vectors only and its vector is there to start from
 /// again. Any vector gives a step that is too long or right; the distance of the largest eigenvalue found to a true one
 /// is at most the residual, by which the result is shortened. The start is a random vector, keyed by the particles'
-/// numbers in the packing; sums are over blocks of particles in their order: the same bits for any number of threads.
+/// numbers in the packing; sums are over blocks of particles, then exact: the same bits for any number of threads and
+/// ranks. `link`: of a specimen in parts, at which all ranks look together; else null.
 class SpectralStep {
  public:
   struct Result {
@@ -22,21 +23,23 @@ class SpectralStep {
     int products;     ///< of the system's matrix and a vector
   };
 
-  /// Particles that have come near something since the last look; all that have when none has been.
+  /// Own particles that have come near something since the last look; all that have when none has been.
   std::vector<Index> changed(const State& state, double reach) const;
   /// From a random vector.
-  Result estimate(State& state, const Interactions& law, const Incidence& incidence, double reach, int threads);
+  Result estimate(State& state, const Interactions& law, const Incidence& incidence, double reach, int threads,
+                  RankLink* link = nullptr);
   /// Whether `step` is still stable after `changed` have come near something: by each one's own bound, and by the
   /// fastest mode as it was. If not, the estimate that starts from that mode and a random vector of those particles.
   Result look(State& state, const Interactions& law, const Incidence& incidence, double reach, int threads,
-              const std::vector<Index>& changed, double bound_of_changed, double step);
+              const std::vector<Index>& changed, double bound_of_changed, double step, RankLink* link = nullptr);
 
   int products() const { return products_; }  ///< in all: what the estimates cost
   /// `id`: of the particles, in the packing.
   void archive(Archive& archive, const std::vector<Index>& id);
 
  private:
-  Result climb(const StiffnessOperator& system, int threads, int at_least);
+  friend class Simulation;  // which hands both on when the specimen is cut or joined
+  Result climb(const StiffnessOperator& system, const Particles& p, int threads, int at_least, RankLink* link);
   void remember(const State& state, double reach);
 
   std::vector<Vec6> mode_;                ///< the fastest one found, and a zero row

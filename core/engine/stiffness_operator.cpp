@@ -5,7 +5,8 @@
 
 namespace breccia {
 
-StiffnessOperator::StiffnessOperator(State& s, const Interactions& law, const Incidence& in, double reach, int threads)
+StiffnessOperator::StiffnessOperator(State& s, const Interactions& law, const Incidence& in, double reach, int threads,
+                                     RankLink* link)
     : held_(s.particles.held) {
   const Particles& p = s.particles;
   const std::size_t n = p.size(), pairs = s.pairs.size();
@@ -30,8 +31,8 @@ StiffnessOperator::StiffnessOperator(State& s, const Interactions& law, const In
       moments = moments || stiffness[q].bending > 0 || stiffness[q].torsion > 0;
     }
   }
-  damped_ = damped;
-  moments_ = moments;
+  damped_ = link ? link->any(damped) : damped;
+  moments_ = link ? link->any(moments) : moments;
   start_.assign(n + 1, 0);
   for (std::size_t q = 0; q < pairs; ++q)
     if (counts[q]) {

@@ -10,7 +10,9 @@ namespace breccia {
 /// All intact bonds, and pairs and wall touches within `reach` [m], counted as active; held components do not move.
 class StiffnessOperator {
  public:
-  StiffnessOperator(State& state, const Interactions& law, const Incidence& incidence, double reach, int threads);
+  /// `link`: of a specimen in parts; rows of own particles are whole then.
+  StiffnessOperator(State& state, const Interactions& law, const Incidence& incidence, double reach, int threads,
+                    RankLink* link = nullptr);
 
   std::size_t size() const { return inverse_mass_.size(); }  ///< particles
   bool damped() const { return damped_; }

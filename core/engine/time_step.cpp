@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "engine/contact_stiffness.hpp"
 #include "engine/neighbours.hpp"
@@ -142,24 +143,38 @@ std::vector<double> time_step_of_each(State& s, const Interactions& law, const I
 }
 
 std::optional<StepSetter> find_step_setter(State& s, const Interactions& law, const Incidence& incidence, double reach,
-                                           double critical, double ratio, int threads) {
-  const std::size_t n = s.particles.size();
+                                           double critical, double ratio, int threads, RankLink* link) {
+  const Particles& p = s.particles;
+  const std::size_t own = p.end_own() - p.first_own();
+  const auto of_all = [&](std::size_t here) {
+    if (!link) return here;
+    const auto each = link->numbers_of_all(here);
+    return std::accumulate(each.begin(), each.end(), std::size_t(0));
+  };
+  const std::size_t n = of_all(own);
   const double far = ratio * critical;
   if (n < 10 || !std::isfinite(far) || !(far > 0)) return std::nullopt;  // of so few none is the bulk
   const Restraints restraints(s, law, incidence, reach);
-  std::vector<std::uint8_t> short_of(n);
+  std::vector<std::uint8_t> short_of(p.size());
 #pragma omp parallel for schedule(static) num_threads(threads)
-  for (std::ptrdiff_t a = 0; a < std::ptrdiff_t(n); ++a)
+  for (std::ptrdiff_t a = std::ptrdiff_t(p.first_own()); a < std::ptrdiff_t(p.end_own()); ++a)
     short_of[a] = (Mat6::Identity() - restraints.of(Index(a)).at(far)).llt().info() != Eigen::Success;
   std::vector<Index> few, rest;
-  for (Index a = 0; a < n; ++a) (short_of[a] ? few : rest).push_back(a);
-  if (few.empty() || few.size() > std::max<std::size_t>(1, n / 100)) return std::nullopt;
-  StepSetter found{few[0], few.size() - 1, infinity, critical_time_step(s, law, incidence, rest, reach, threads)};
+  for (Index a = Index(p.first_own()); a < p.end_own(); ++a) (short_of[a] ? few : rest).push_back(a);
+  const std::size_t count = of_all(few.size());
+  if (count == 0 || count > std::max<std::size_t>(1, n / 100)) return std::nullopt;
+  StepSetter found{0, count - 1, infinity, critical_time_step(s, law, incidence, rest, reach, threads)};
   for (const Index a : few)
-    if (const double own = step_of(restraints.of(a)); own < found.step) {
-      found.step = own;
-      found.particle = a;
+    if (const double step = step_of(restraints.of(a)); step < found.step) {
+      found.step = step;
+      found.particle = p.row_of(a);
     }
+  if (link) {  // the first of those with the least
+    found.without = link->least_of(found.without);
+    const double here = found.step;
+    found.step = link->least_of(found.step);
+    found.particle = Index(link->least_of(here == found.step ? double(found.particle) : 1e300));
+  }
   if (!std::isfinite(found.without)) return std::nullopt;  // nothing else is held by anything stiff
   return found;
 }
@@ -178,7 +193,7 @@ std::vector<Index> newly_within_reach(const State& s, double reach, const std::v
     if (within_reach(s, t, reach) && !(known && std::binary_search(known->begin(), known->end(), t, before)))
       is_new[t.particle] = 1;
   std::vector<Index> particles;
-  for (Index a = 0; a < now.size(); ++a)
+  for (Index a = Index(s.particles.first_own()); a < s.particles.end_own(); ++a)
     if (is_new[a]) particles.push_back(a);
   return particles;
 }

@@ -30,7 +30,7 @@ std::vector<double> time_step_of_each(State& state, const Interactions& law, con
 
 /// The one particle, or the few, that make the time step of all others much shorter.
 struct StepSetter {
-  Index particle;      ///< the one with the least bound
+  Index particle;      ///< the one with the least bound; its row in the whole specimen
   std::size_t others;  ///< whose bounds are far below those of the rest, too
   double step;         ///< critical, of all [s]
   double without;      ///< critical, of all but these [s]
@@ -39,10 +39,11 @@ struct StepSetter {
 /// Those whose bound is more than `ratio` times below all that is left: at most 1 % of the particles (one in less than
 /// 200), of ten at the least. `critical` is that of all. Nothing when the bulk sets the step.
 std::optional<StepSetter> find_step_setter(State& state, const Interactions& law, const Incidence& incidence,
-                                           double reach, double critical, double ratio, int threads);
+                                           double reach, double critical, double ratio, int threads,
+                                           RankLink* link = nullptr);
 
-/// The particles that have come within `reach` [m] of a neighbour or a wall since `positions_at_look`, ascending: they
-/// may ask for a shorter time step. All that have any when nobody has looked yet. Walls move: those that touch one
+/// The own particles that have come within `reach` [m] of a neighbour or a wall since `positions_at_look`, ascending:
+/// they may ask for a shorter time step. All that have any when nobody has looked yet. Walls move: those that touch one
 /// count each time, but for the touches that are `known` (sorted by wall and particle).
 std::vector<Index> newly_within_reach(const State& state, double reach, const std::vector<WallTouch>* known = nullptr);
 

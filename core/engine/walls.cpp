@@ -21,7 +21,7 @@ void rebuild_wall_touches(State& s, double reach) {
   std::size_t next = 0;
   for (Index w = 0; w < s.walls.size(); ++w) {
     const Wall& wall = s.walls[w];
-    for (Index a = 0; a < s.particles.size(); ++a) {
+    for (Index a = Index(s.particles.first_own()); a < s.particles.end_own(); ++a) {
       if (facing(wall, s.particles.position()[a]).distance - s.particles.radius()[a] > reach) continue;
       while (next < old.size() && (old[next].wall < w || (old[next].wall == w && old[next].particle < a))) ++next;
       const bool known = next < old.size() && old[next].wall == w && old[next].particle == a;
@@ -30,16 +30,18 @@ void rebuild_wall_touches(State& s, double reach) {
   }
 }
 
-void wall_forces(State& s, ExternalLoads& loads) {
+namespace {
+constexpr std::size_t of_wall = 4;  // force, normal force
+}
+
+std::size_t wall_sums(const State& s) { return s.walls.empty() ? 0 : of_wall * s.walls.size() + 1; }
+
+void wall_forces(State& s, ExternalLoads& loads, std::span<ExactSum> sums) {
   const Particles& p = s.particles;
   const double dt = s.time_step;
   for (const WallTouch& t : s.wall_touches) loads.restart(t.particle, p);
-  for (Wall& w : s.walls) {
-    w.force.setZero();
-    w.normal_force = 0;
-  }
   for (WallTouch& t : s.wall_touches) {
-    Wall& w = s.walls[t.wall];
+    const Wall& w = s.walls[t.wall];
     const double r = p.radius()[t.particle];
     const Facing f = facing(w, p.position()[t.particle]);
     t.overlap = r - f.distance;
@@ -63,16 +65,27 @@ void wall_forces(State& s, ExternalLoads& loads) {
       const Vec3 trial = t.spring + dt * slip;
       const CoulombSlip slider =
           coulomb_slip(w.shear_stiffness, trial.norm(), t.spring.dot(trial), w.friction * pressed);
-      s.energy.friction += slider.work;
+      sums.back().add(slider.work);
       t.spring = slider.keep * trial;
       t.force = -w.shear_stiffness * t.spring;
     }
     t.force += pressed * f.normal;
-    w.normal_force += pressed;
     loads.add(t.particle, t.force, arm.cross(t.force));
-    w.force -= t.force;
+    ExactSum* const on_wall = &sums[of_wall * t.wall];
+    for (int k = 0; k < 3; ++k) on_wall[k].add(-t.force[k]);
+    on_wall[3].add(pressed);
   }
+}
+
+void take_wall_forces(State& s, std::span<const double> totals) {
+  if (s.walls.empty()) return;
+  const double dt = s.time_step;
+  s.energy.friction += totals.back();
+  const double* of = totals.data();
   for (Wall& w : s.walls) {
+    w.force = Vec3(of[0], of[1], of[2]);
+    w.normal_force = of[3];
+    of += of_wall;
     s.energy.boundary_work -= w.force.dot(w.velocity + w.previous_velocity) * 0.5 * dt;
     w.previous_velocity = w.velocity;
   }
@@ -95,13 +108,12 @@ void move_walls(State& s) {
   s.walls_moved_since_look += s.time_step * fastest;
 }
 
-double wall_energy(const State& s) {
-  double sum = 0;
+void add_wall_energy(const State& s, ExactSum& to) {
   for (const WallTouch& t : s.wall_touches) {
     const Wall& w = s.walls[t.wall];
-    if (t.overlap > 0) sum += w.normal_stiffness * t.overlap * t.overlap + w.shear_stiffness * t.spring.squaredNorm();
+    if (t.overlap > 0)
+      to.add(0.5 * (w.normal_stiffness * t.overlap * t.overlap + w.shear_stiffness * t.spring.squaredNorm()));
   }
-  return 0.5 * sum;
 }
 
 }  // namespace breccia

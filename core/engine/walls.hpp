@@ -3,6 +3,7 @@
 /// has friction.
 #pragma once
 
+#include "engine/exact_sum.hpp"
 #include "engine/external_loads.hpp"
 #include "model/state.hpp"
 
@@ -15,12 +16,16 @@ struct Facing {
 };
 Facing facing(const Wall& wall, const Vec3& position);
 
-/// Particles within `reach` [m] of a wall; touches that stay keep their friction spring.
+/// Own particles within `reach` [m] of a wall; touches that stay keep their friction spring.
 void rebuild_wall_touches(State& state, double reach);
 
-/// Forces of the walls on particles, and the particles' force on each wall. Adds this step's work of the walls and
-/// their friction to the ledger.
-void wall_forces(State& state, ExternalLoads& loads);
+/// Forces of the walls on particles. `sums`, as many as `wall_sums`: the particles' forces on each wall, and what
+/// friction took [J], are added to them.
+void wall_forces(State& state, ExternalLoads& loads, std::span<ExactSum> sums);
+std::size_t wall_sums(const State& state);
+/// With the totals of these: the particles' force on each wall. Adds this step's work of the walls and their friction
+/// to the ledger.
+void take_wall_forces(State& state, std::span<const double> totals);
 
 /// Work of the walls in the half of the present step that lies ahead of the positions; `wall_forces` has counted it
 /// [J].
@@ -28,6 +33,6 @@ double wall_work_ahead(const State& state);
 
 void move_walls(State& state);
 
-double wall_energy(const State& state);  ///< stored in penalty and friction springs [J]
+void add_wall_energy(const State& state, ExactSum& to);  ///< stored in penalty and friction springs [J]
 
 }  // namespace breccia

@@ -43,7 +43,19 @@ struct Particles {
   std::vector<std::uint8_t> held;      ///< bits of `dof`
   std::vector<Index> id;               ///< row in the packing
   std::vector<std::uint8_t> material;  ///< row of `State::materials`; empty when there is but one
+  /// Of a part of a specimen (`engine/parts.hpp`): which rows of the whole these are, ascending; empty when they are
+  /// all there are. The own ones stand side by side, between copies of those of other parts that they meet.
+  std::vector<Index> row;
+  std::size_t copies_before = 0, copies_behind = 0;
   std::size_t size() const { return motion.size(); }
+  std::size_t first_own() const { return copies_before; }
+  std::size_t end_own() const { return size() - copies_behind; }
+  bool own(std::size_t a) const { return a >= first_own() && a < end_own(); }
+  Index row_of(std::size_t a) const { return row.empty() ? Index(a) : row[a]; }
+  /// How much farther back the own ones stand in the whole.
+  std::size_t shift() const {
+    return row.empty() || copies_before >= row.size() ? 0 : row[copies_before] - copies_before;
+  }
 
   Strided<Vec3> position() { return member(motion, &ParticleMotion::position); }
   Strided<Vec3> velocity() { return member(motion, &ParticleMotion::velocity); }

@@ -3,13 +3,15 @@
 #pragma once
 
 #include "plugin/registry.hpp"
-#include "report/run_files.hpp"
+#include "report/study_files.hpp"
 
 namespace breccia::report {
 
 /// Paragraphs of plain text. Every number is one of the run's files, or follows from some of them as the text says;
 /// what the files do not tell is not told.
 std::vector<std::string> methods_text(const RunFiles& run);
+/// Of a study: what was varied, what the specimens came to, and one case of each workflow for all else.
+std::vector<std::string> methods_text(const StudyFiles& study);
 
 std::string methods_html(const std::vector<std::string>& paragraphs);
 /// With the sources of the models below.

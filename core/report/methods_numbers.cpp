@@ -21,19 +21,13 @@ std::size_t row_of_largest(const std::vector<double>& values) {
   return best;
 }
 
-const Curve* first_of(const RunFiles& run, std::initializer_list<const char*> names) {
-  for (const char* name : names)
-    if (const Curve* c = run.curve(name); c && !c->values.empty()) return c;
-  return nullptr;
-}
-
 }  // namespace
 
 std::optional<StrainRate> strain_rate(const RunFiles& run) {
-  const Curve* strain = first_of(run, {"platen_strain", "diametral_strain", "axial_strain"});
-  const Curve* load = first_of(run, {"platen_stress", "load", "tensile_stress", "cell_axial_stress", "axial_stress"});
-  const Curve* time = first_of(run, {"time"});
-  if (!strain || !load || !time) return {};
+  const Curve* strain = role::find(run.curves, {role::machine_strain, role::diametral_strain, role::strain});
+  const Curve* load = role::find(run.curves, {role::machine_stress, role::load, role::splitting_stress, role::stress});
+  const Curve* time = run.curve("time");
+  if (!strain || !load || !time || time->values.empty()) return {};
   const std::size_t peak = row_of_largest(load->values);
   const double span = time->values[peak] - time->values[0];
   const double rate = std::abs(strain->values[peak] - strain->values[0]) / span;

@@ -54,15 +54,11 @@ Texts texts_of_run(const ReportRequest& request, const Registry& registry, const
 Texts texts_of_study(const ReportRequest& request, const Registry& registry, const ReportFacts& facts, Host& host) {
   const StudyFiles study = read_study_files(request.folder);
   Texts texts;
-  std::vector<std::string> paragraphs;
+  const std::vector<std::string> paragraphs = methods_text(study);
   std::vector<std::pair<std::string, std::string>> sources;
-  for (const RunFiles& run : study.examples) {
-    paragraphs.push_back("The study had " + std::to_string(study.cases.size()) +
-                         " cases. Of them, the following holds for the case “" + run.folder.filename().string() + "”.");
-    for (std::string& text : methods_text(run)) paragraphs.push_back(std::move(text));
+  for (const RunFiles& run : study.examples)
     for (auto& source : model_sources(run, registry))
       if (std::find(sources.begin(), sources.end(), source) == sources.end()) sources.push_back(std::move(source));
-  }
   texts.page = study_page(study, figures_of(study.folder, study.files, registry, "figure-", host),
                           methods_html(paragraphs), registry, facts);
   texts.methods = methods_markdown(study.name, paragraphs, sources);

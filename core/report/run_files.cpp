@@ -55,7 +55,8 @@ void read_curves(const fs::path& file, RunFiles& run) {
     const auto text = [&](const char* key) { return c.is_object() ? c.value(key, std::string()) : std::string(); };
     const auto& headers = table.headers();
     if (std::find(headers.begin(), headers.end(), text("header")) == headers.end()) continue;
-    run.curves.push_back({text("name"), text("unit"), text("doc"), table.column(text("header"))});
+    const std::string role = c.contains("role") ? text("role") : std::string(role::of_name(text("name")));
+    run.curves.push_back({text("name"), text("unit"), text("doc"), role, table.column(text("header"))});
   }
 }
 

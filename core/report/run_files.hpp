@@ -14,7 +14,7 @@ namespace breccia::report {
 
 /// One curve, by the name that plugins give it.
 struct Curve {
-  std::string name, unit, doc;
+  std::string name, unit, doc, role;
   std::vector<double> values;
 };
 

@@ -9,6 +9,7 @@ namespace breccia::report {
 struct StudyColumn {
   std::string key, title, unit;  ///< as results.csv has it; for readers; SI, empty for pure numbers
   std::string path = key;        ///< of a parameter: in the workflow
+  bool is_seed() const { return key == "seed" || key.ends_with(".seed"); }
 };
 
 struct StudyCase {

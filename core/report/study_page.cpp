@@ -45,13 +45,11 @@ Shown shown_input(const StudyFiles& study, std::size_t k) {
 
 Shown shown_value(const StudyFiles& study, std::size_t k) { return {study.values[k], largest_size(study.numbers(k))}; }
 
-bool is_seed(const StudyColumn& c) { return c.key == "seed" || c.key.ends_with(".seed"); }
-
 /// Strength and stiffness first; seeds are numbers of no size.
 std::vector<std::size_t> values_in_order(const StudyFiles& study) {
   std::vector<std::size_t> all;
   for (std::size_t k = 0; k < study.values.size(); ++k)
-    if (!is_seed(study.values[k]) && !study.numbers(k).empty()) all.push_back(k);
+    if (!study.values[k].is_seed() && !study.numbers(k).empty()) all.push_back(k);
   std::stable_partition(all.begin(), all.end(), [&](std::size_t k) { return !is_secondary(study.values[k].key); });
   return all;
 }
@@ -111,7 +109,7 @@ std::string scatter_table(const StudyFiles& study) {
 std::string seeds_tables(const StudyFiles& study, const std::vector<std::size_t>& values) {
   std::vector<std::size_t> others;
   for (std::size_t k = 0; k < study.inputs.size(); ++k)
-    if (!is_seed(study.inputs[k])) others.push_back(k);
+    if (!study.inputs[k].is_seed()) others.push_back(k);
   const bool by_workflow = !study.cases.empty() && !study.cases[0].workflow.empty();
   if (others.size() == study.inputs.size() || (others.empty() && !by_workflow)) return {};
   std::vector<std::string> order;

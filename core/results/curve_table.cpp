@@ -18,8 +18,10 @@ std::filesystem::path curve_units_file(std::filesystem::path curves) { return cu
 // As data: a header that joins name and unit cannot be taken apart again.
 void write_units(const std::filesystem::path& table, const std::vector<Column>& columns) {
   Json described = Json::array();
-  for (const Column& c : columns)
+  for (const Column& c : columns) {
     described.push_back({{"header", header_name(c)}, {"name", c.name}, {"unit", c.unit}, {"doc", c.doc}});
+    if (!c.role.empty()) described.back()["role"] = c.role;
+  }
   write_file(curve_units_file(table), json_text(described, 1) + "\n");
 }
 

@@ -15,7 +15,7 @@ namespace breccia {
 /// Name as it stands in the CSV header: with the unit, unless a pure number ("axial_stress_Pa").
 std::string header_name(const Column& column);
 
-/// Beside `curves.csv` the file `curves.json`: header, name, SI unit and meaning of each column.
+/// Beside `curves.csv` the file `curves.json`: header, name, SI unit, meaning and role of each column.
 std::filesystem::path curve_units_file(std::filesystem::path curves);
 /// Writes that file: header, name, unit and meaning of each column.
 void write_units(const std::filesystem::path& table, const std::vector<Column>& columns);

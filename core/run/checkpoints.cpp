@@ -18,12 +18,13 @@ Checkpoints::Checkpoints(const CheckpointsConfig& config, const fs::path& folder
                          std::function<std::vector<std::string>(Archive&)> write, Host& host)
     : config_(config), folder_(folder / "checkpoints"), curves_(curves), write_(std::move(write)), host_(host) {
   if (!config.every_strain) return;
-  for (const char* name : {"axial_strain", "platen_strain"})
-    for (const Column& c : curves.columns())
-      if (!strain_curve_ && c.name == name) strain_curve_ = name;
-  if (!strain_curve_)
-    throw AtPath("checkpoints.every_strain",
-                 "checkpoints.every_strain: this workflow has no curve `axial_strain` or `platen_strain`");
+  if (const Column* const c = role::find(curves.columns(), {role::strain, role::machine_strain}))
+    strain_curve_ = c->name;
+  else
+    throw AtPath(
+        "checkpoints.every_strain",
+        "checkpoints.every_strain: this workflow has no curve of a strain along the axis, as `axial_strain` or "
+        "`platen_strain`");
 }
 
 void Checkpoints::start_from(const RunProgress& now) {
@@ -36,7 +37,7 @@ void Checkpoints::start_from(const RunProgress& now) {
 double Checkpoints::strain() {
   if (strain_curve_ && curves_.rows() != rows_) {
     rows_ = curves_.rows();
-    strain_ = curves_.column(strain_curve_).back();
+    strain_ = curves_.column(*strain_curve_).back();
   }
   return strain_;
 }
@@ -49,8 +50,9 @@ bool Checkpoints::due(const RunProgress& now) {
 }
 
 void Checkpoints::at(const RunProgress& now, bool stop) {
-  if (config_.keep == 0 || impossible_ || now.step == 0 || now.step == from_.step) return;
-  if (!stop && !due(now)) return;
+  const bool wanted = config_.keep > 0 && !impossible_ && now.step > 0 && now.step != from_.step && (stop || due(now));
+  if (before) before(wanted);
+  if (!wanted) return;
   try {
     save(now);
     failing_ = false;

@@ -26,6 +26,9 @@ class Checkpoints {
 
   /// Before each step: writes one if it is time. `stop`: it is the last moment.
   void at(const RunProgress& now, bool stop);
+  /// Called before each step with whether a checkpoint is about to be written: others may have to bring what they have
+  /// of it.
+  std::function<void(bool)> before = {};
   /// The test is over, or the run went on from here.
   void start_from(const RunProgress& now);
 
@@ -43,7 +46,7 @@ class Checkpoints {
   Host& host_;
   Clock::time_point last_ = Clock::now();
   RunProgress from_;
-  const char* strain_curve_ = nullptr;
+  std::optional<std::string> strain_curve_;
   std::size_t rows_ = 0;                 ///< of the curves, when the strain was looked at
   double strain_ = 0, from_strain_ = 0;  ///< axial; when the last one was written
   bool impossible_ = false, failing_ = false;

@@ -9,17 +9,6 @@
 namespace breccia {
 namespace {
 
-/// Of what the test leads: walls, the velocities of held particles, the edges of a cell [m/s].
-double fastest_boundary(const State& s) {
-  double fastest = 0;
-  for (const Wall& w : s.walls) fastest = std::max(fastest, w.velocity.norm());
-  for (int k = 0; k < 3; ++k) fastest = std::max(fastest, s.cell_velocity.col(k).norm());
-  for (std::size_t a = 0; a < s.particles.size(); ++a)
-    for (int k = 0; k < 3; ++k)
-      if (s.particles.held[a] >> k & 1) fastest = std::max(fastest, std::abs(s.particles.velocity()[a][k]));
-  return fastest;
-}
-
 /// Those that have left are no part of what is measured, and yet in all sums.
 void look_for_flown_off(const State& s, double limit, Host& host) {
   const std::size_t n = s.particles.size();
@@ -90,7 +79,7 @@ void LoadingChecks::sample(Simulation& simulation, double load, Host& host) {
 }
 
 void LoadingChecks::look_for_speed(Simulation& simulation, Host& host) {
-  const double speed = fastest_boundary(simulation.state());
+  const double speed = simulation.fastest_boundary();
   if (fast_ || speed <= walls_speed_) return;
   walls_speed_ = speed;
   if (wave_speed_ < 0) wave_speed_ = simulation.bond_stiffness().wave_speed;

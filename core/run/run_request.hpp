@@ -7,6 +7,8 @@
 
 namespace breccia {
 
+class RankLink;
+
 /// A run as a user asks for it.
 struct RunRequest {
   std::filesystem::path file, output;  ///< the workflow; the folder of the results: empty for the usual one
@@ -14,6 +16,7 @@ struct RunRequest {
   std::vector<std::string> overrides;
   std::string variant;
   bool overwrite = false, accept_changed_plugins = false;
+  RankLink* link = nullptr;  ///< to the other ranks of the job, which ask for the same; null where there is none
 };
 
 }  // namespace breccia

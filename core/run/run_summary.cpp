@@ -80,7 +80,7 @@ std::string step_text(const Simulation& sim, TimeStep rule, int threads) {
       rule == TimeStep::spectral
           ? fmt::format("of the fastest mode: {:.2f} times the bound of single particles", sim.step_over_bound())
           : "the bound of single particles",
-      sim.state().pairs.size(), threads, threads == 1 ? "" : "s");
+      sim.pairs(), threads, threads == 1 ? "" : "s");
 }
 
 std::string asked_got_text(const AskedGot& line) {

@@ -7,6 +7,7 @@
 
 #include "results/results_folder.hpp"
 #include "run/load_workflow.hpp"
+#include "run/on_ranks.hpp"
 #include "run/packing_cache.hpp"
 #include "run/what_is_kept.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 RunInFolder run_into(ResultsFolder& results, const fs::path& folder, const LoadedWorkflow& loaded,
-                     const Registry& registry, ResumePoint* resume, bool accept_changed_plugins, Terminal& terminal) {
+                     const Registry& registry, ResumePoint* resume, const RunRequest& asked, Terminal& terminal) {
   // What was stopped on request does not take the place of what had finished.
   bool apart = false;
   const auto whole = [&](bool stopped) {
@@ -25,8 +26,9 @@ RunInFolder run_into(ResultsFolder& results, const fs::path& folder, const Loade
     results.take_over(!stopped);
     return results.path();
   };
-  const RunOptions options{results.work(), default_cache_folder(), whole,
-                           resume,         accept_changed_plugins, [&] { results.refuse_if_gone(); }};
+  const RunOptions options{results.work(), default_cache_folder(),       whole,
+                           resume,         asked.accept_changed_plugins, [&] { results.refuse_if_gone(); },
+                           asked.link};
   RunInFolder end{run_workflow(loaded, registry, options, terminal), {}, {}};
   const RunOutcome& outcome = end.outcome;
   try {
@@ -43,12 +45,18 @@ RunInFolder run_into(ResultsFolder& results, const fs::path& folder, const Loade
 
 }  // namespace
 
+std::vector<std::string> all_overrides(const RunRequest& a) {
+  std::vector<std::string> overrides = a.overrides;
+  if (!a.from.empty()) overrides.push_back("from.checkpoint=" + Json(fs::absolute(a.from).string()).dump());
+  return overrides;
+}
+
 RunInFolder run_to_results(const RunRequest& a, Registry& registry, Terminal& terminal) {
   std::optional<ResumePoint> resume;
   if (!a.resume.empty()) resume = find_resume_point(a.resume, terminal);
-  std::vector<std::string> overrides = a.overrides;
-  if (!a.from.empty()) overrides.push_back("from.checkpoint=" + Json(fs::absolute(a.from).string()).dump());
-  const LoadedWorkflow loaded = load_workflow(resume ? resume->resolved : a.file, overrides, registry, a.variant);
+  if (resume && a.link) tell_of_resume(*a.link, *resume);
+  const LoadedWorkflow loaded =
+      load_workflow(resume ? resume->resolved : a.file, all_overrides(a), registry, a.variant);
   const fs::path folder = resume ? a.resume : a.output.empty() ? fs::path("results") / loaded.workflow.name : a.output;
   FolderRules rules;
   rules.overwrite = a.overwrite;
@@ -60,7 +68,7 @@ RunInFolder run_to_results(const RunRequest& a, Registry& registry, Terminal& te
   if (results.replaces_finished())
     terminal.info(fmt::format("until they are whole, the new results grow in {}", results.work().string()));
   try {
-    return run_into(results, folder, loaded, registry, resume ? &*resume : nullptr, a.accept_changed_plugins, terminal);
+    return run_into(results, folder, loaded, registry, resume ? &*resume : nullptr, a, terminal);
   } catch (const std::exception& e) {
     terminal.clear_bar();
     terminal.log_only(std::string("ended: ") + e.what());

@@ -56,6 +56,8 @@ class Run {
         doubts_(loaded.warnings),
         registry_(registry),
         options_(options),
+        link_(options.link),
+        first_(!link_ || link_->first()),
         monitor_(monitor) {}
 
   RunOutcome operator()() {
@@ -67,9 +69,10 @@ class Run {
       create_plugins();
       build();
     });
-    write_file(options_.folder / "resolved.yaml", about_.resolved);
+    if (first_) write_file(options_.folder / "resolved.yaml", about_.resolved);
     loop();
     finish();
+    if (!first_) return {summary_.json(), interrupted_, failure_};
     refuse_if_gone();
     write_summary(seconds_since(start));  // whole before the pictures, which may take long or be interrupted
     const std::filesystem::path results =
@@ -84,8 +87,10 @@ class Run {
     laws_.emplace(registry_, w_.contact_law, w_.material_list(), std::uint64_t(w_.seed));
     protocol_ = registry_.create<Protocol>(w_.protocol);
     std::vector<Listed<Output>> outputs;
-    for (const PluginChoice& c : w_.postprocessors) posts_.emplace_back(c, registry_);
-    for (const PluginChoice& c : w_.outputs) outputs.emplace_back(c, registry_);
+    if (first_) {  // who measures and writes sees the specimen brought together, where it is brought to
+      for (const PluginChoice& c : w_.postprocessors) posts_.emplace_back(c, registry_);
+      for (const PluginChoice& c : w_.outputs) outputs.emplace_back(c, registry_);
+    }
     frames_ = std::make_unique<Frames>(std::move(outputs), posts_);
   }
 
@@ -96,7 +101,7 @@ class Run {
                               packing_.from_cache ? " (kept from an earlier run)" : ""));
     memory_is_for(packing_.particles.position.size(), 0);
     for (const AskedGot& line : packing_.particles.report) monitor_.info(asked_got_text(line));
-    if (options_.resume)
+    if (options_.resume && first_)
       refuse_changes(options_.resume->about, provenance_of(w_, registry_, packing_.hash),
                      options_.accept_changed_plugins, monitor_);
     resolve();
@@ -105,9 +110,11 @@ class Run {
                                options_.accept_changed_plugins},
                       monitor_);
     laws_->within([&] {
+      EngineSettings settings = w_.engine_settings(monitor_.threads());
+      settings.link = link_;
       simulation_ = std::make_unique<Simulation>(
           assemble(packing_.particles, w_.materials_of(packing_.particles), dimension, w_.thickness),
-          laws_->interactions(), w_.engine_settings(monitor_.threads()));
+          laws_->interactions(), settings);
       bonding_ = simulation_->bond(w_.bonding.rule());
     });
     memory_is_for(simulation_->state().particles.size(), simulation_->state().bonds.size());
@@ -128,9 +135,11 @@ class Run {
       simulation_->prepare();
       check_time_step(*simulation_, w_.checks, monitor_);
     });
+    loading_checks_.emplace(w_.checks);
+    if (!first_) return;
     checkpoints_.emplace(
         w_.checkpoints, options_.folder, curves_, [&](Archive& to) { return archive_run(to, parts()); }, monitor_);
-    loading_checks_.emplace(w_.checks);
+    if (link_) checkpoints_->before = [this](bool wanted) { bring_together(wanted); };
     curves_.open(options_.folder / "curves.csv");
   }
 
@@ -166,11 +175,12 @@ class Run {
     else if (branch_) enter_branch();
     branch_.reset();  // with the file
     first_step_ = sim.state().step;
-    checkpoints_->start_from(progress());
+    if (first_) checkpoints_->start_from(progress());
     try {
       for (;;) {
-        const bool cancelled = monitor_.cancelled();
-        checkpoints_->at(progress(), cancelled || (w_.checkpoints.at_end && loading.ends()));
+        const bool cancelled = link_ ? link_->any(monitor_.cancelled()) : monitor_.cancelled();
+        if (first_) checkpoints_->at(progress(), cancelled || (w_.checkpoints.at_end && loading.ends()));
+        else bring_together(false);
         auto start = Clock::now();
         in_row_ = false;
         const LoadingStep now = loading.step(cancelled);
@@ -178,7 +188,7 @@ class Run {
         if (now.row) {
           in_row_ = true;
           refuse_if_gone();
-          laws_->within([&] { sample(now.begins); });
+          together([&] { laws_->within([&] { sample(now.begins); }); });
           if (now.ends || !failure_.empty()) {
             interrupted_ = cancelled && failure_.empty();
             break;
@@ -191,12 +201,13 @@ class Run {
       loading.warn_of_missed_peak(monitor_);
       loading_checks_->finish(sim, loading.peak(), monitor_);
     } catch (const FolderGone&) { throw; } catch (const PluginFault& e) {
+      if (alone()) throw;
       fail(e);
     } catch (const UserError& e) {
-      if (curves_.rows() == 0) throw;  // nothing is lost
+      if (!measured_ || alone()) throw;  // nothing is lost; or the others cannot go on
       fail(e);
     } catch (const std::bad_alloc&) {
-      if (curves_.rows() == 0) throw;
+      if (!measured_ || alone()) throw;
       fail(UserError(out_of_memory()));
       intact_ = false;
     }
@@ -204,6 +215,7 @@ class Run {
     viewable_ = intact_ && complete_step();
     if (viewable_) attempt([&] { frames_->at(sim.view(), true); });
     attempt([&] { frames_->finish(); });
+    if (!first_) return;
     curves_.close();
     if (w_.curves.hdf5) attempt([&] { write_curves_hdf5(options_.folder / "curves.h5", curves_); });
   }
@@ -217,14 +229,16 @@ class Run {
     if (branch_->goes_on()) monitor_.info(branch_->text());
     for (const std::string& d : branch_->differences()) monitor_.info("  " + d);
     if (!branch_->goes_on()) return;
-    read_branch(branch_->archive(), parts(), branch_->measured());
+    read_branch(branch_->archive(), parts(), first_ && branch_->measured());
     if (!branch_->needs_adapting()) return;
     laws_->within([&] { simulation_->adapt(); });
     monitor_.info(step_text(*simulation_, w_.engine.time_step, monitor_.threads()));
   }
 
   void go_on() {
-    read_run(*options_.resume->checkpoint, parts());
+    if (first_) read_run(*options_.resume->checkpoint, parts());
+    else read_branch(*options_.resume->checkpoint, parts(), false);
+    measured_ = first_ ? curves_.rows() > 0 : simulation_->loading_started();
     monitor_.info(fmt::format("goes on from {}: step {}, {:.4g} s, {} rows of curves",
                               options_.resume->checkpoint->file().string(), simulation_->state().step,
                               simulation_->time(), curves_.rows()));
@@ -265,21 +279,27 @@ class Run {
     loading_checks_->sample(sim, calling(protocol_id(), "telling its load", [&] { return protocol_->load(); }),
                             monitor_);
     if (sim.loading_started()) {
+      if (link_ ? link_->as_first_says(!energy_check_) : !energy_check_) begin_energy_check();
+      measured_ = true;
       curves_.set(time_column_, sim.time());
-      calling(protocol_id(), "measuring", [&] { protocol_->sample(view, curves_); });
+      if (first_) calling(protocol_id(), "measuring", [&] { protocol_->sample(view, curves_); });
       if (begins)
         for (auto& p : posts_) p.call("beginning to measure", [&](Postprocessor& q) { q.start_of_loading(view); });
-      if (!energy_check_) energy_check_.emplace(energy_limits(), w_.contact_law.names("` and `"));
       try {
-        energy_check_->sample(view.energy, view.step, monitor_);
+        if (first_) energy_check_->sample(view.energy, view.step, monitor_);
       } catch (const UserError& e) { fail(e); }
       for (auto& p : posts_) p.call("measuring", [&](Postprocessor& q) { q.sample(view, curves_); });
-      curves_.end_row();
+      if (first_) curves_.end_row();
       frames_->at(view, begins);
     }
     calling(protocol_id(), "telling how far it is", [&] {
       monitor_.status({protocol_->share_done(), view.step, view.time, sim.broken_bonds(), protocol_->status()});
     });
+  }
+
+  void begin_energy_check() {
+    const EnergyLimits limits = energy_limits();
+    if (first_) energy_check_.emplace(limits, w_.contact_law.names("` and `"));
   }
 
   EnergyLimits energy_limits() {
@@ -289,14 +309,52 @@ class Run {
             0.5 * simulation_->bond_stiffness().modulus * specimen.volume * double(w_.dimension) * strain * strain};
   }
 
+  /// Before a checkpoint, on all ranks as the first says.
+  void bring_together(bool wanted) {
+    if (link_->as_first_says(wanted)) simulation_->gather();
+  }
+
+  /// What only the first rank may fail at ends the loop of all of them.
+  template <class F>
+  void together(F&& f) {
+    std::exception_ptr failed;
+    try {
+      f();
+    } catch (...) { failed = std::current_exception(); }
+    double thrown_said[2] = {failed ? 1.0 : 0.0, failure_.empty() ? 0.0 : 1.0};
+    if (link_) link_->largest(thrown_said);
+    if (failed) std::rethrow_exception(failed);
+    constexpr const char* other = "another rank could not go on";
+    if (thrown_said[0] > 0) throw UserError(other);
+    if (thrown_said[1] > 0 && failure_.empty()) failure_ = other;
+  }
+  /// Whether other ranks do not end as this one does; they cannot be asked to any more.
+  bool alone() const { return link_ && !link_->all_end(); }
+
   void finish() {
+    simulation_->gather();
     sum_up_engine(summary_, w_, *simulation_, bonding_, packing_porosity(),
                   {interrupted_, monitor_.threads(), first_step_, loop_seconds_});
     attempt([&] { sum_up_laws(summary_, *laws_, drawn_, simulation_->state()); });
-    if (viewable_) finish_plugins(simulation_->view());
+    if (viewable_) {
+      const SimulationView view = simulation_->view();
+      if (first_) finish_plugins(view);
+    }
+    if (!first_) return;
+    tell_of_gathering();
     sum_up_packing(summary_, packing_.particles.report);
     summary_.set("reference", w_.reference);
     summary_.set("environment", environment());
+  }
+
+  /// Who asks for the whole specimen makes all ranks wait until it is brought together.
+  void tell_of_gathering() {
+    const double seconds = simulation_->seconds_gathering();
+    if (link_ && seconds > 0.05 * loop_seconds_)
+      monitor_.info(
+          fmt::format("bringing the specimen together for measurements, files and checkpoints took {:.1f} s, "
+                      "that is {:.0f} % of the time of all steps: sample less often",
+                      seconds, 100 * seconds / loop_seconds_));
   }
 
   /// Those that have failed have nothing to say.
@@ -361,6 +419,9 @@ class Run {
   const std::vector<std::string>& doubts_;
   const Registry& registry_;
   const RunOptions& options_;
+  RankLink* const link_;
+  const bool first_;       ///< of the ranks, if there are several
+  bool measured_ = false;  ///< there are rows
   RunLog monitor_;
   std::optional<ContactLaws> laws_;
   std::unique_ptr<Protocol> protocol_;

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "breccia/services.hpp"
+#include "engine/rank_link.hpp"
 #include "run/resume.hpp"
 #include "workflow/read_workflow.hpp"
 
@@ -38,6 +39,7 @@ struct RunOptions {
   bool accept_changed_plugins = false;
   /// Called before anything is written under way; throws what ends the run at once. Optional.
   std::function<void()> refuse_if_gone = {};
+  RankLink* link = nullptr;  ///< of the ranks of a job only the first has files and something to say
 };
 
 struct RunOutcome {

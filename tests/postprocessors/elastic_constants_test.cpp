@@ -240,6 +240,31 @@ TEST(ElasticConstants, TooFewSamplesGiveNullNotANumber) {
   EXPECT_EQ(s.owned.count("note"), 1u);
 }
 
+/// Of a specimen that rings the slope is what the samples happen to hit; of one that is straight, or bends as rock
+/// does, nothing is said.
+TEST(ElasticConstants, DoubtsALineThatTheStressDoesNotFollow) {
+  const auto warnings = [](double ringing, double bend) {
+    LoadedPostprocessor p("elastic_constants");
+    std::vector<double> stress, strain, lateral;
+    for (int k = 0; k <= 100; ++k) {
+      const double e = 1e-5 * k, s = e * (1 - bend * k / 100);
+      strain.push_back(e);
+      stress.push_back(20e9 * (s + ringing * std::sin(0.7 * k)));
+      lateral.push_back(0.2 * e);
+    }
+    p.curves.add_column("axial_stress", stress);
+    p.curves.add_column("axial_strain", strain);
+    p.curves.add_column("lateral_strain", lateral);
+    p.begin({});
+    p.finish({});
+    return p.host.warnings;
+  };
+  EXPECT_TRUE(warnings(0, 0).empty());
+  EXPECT_TRUE(warnings(0, 0.4).empty());
+  ASSERT_EQ(warnings(5e-5, 0).size(), 1u);
+  EXPECT_NE(warnings(5e-5, 0)[0].find("The specimen rings"), std::string::npos) << warnings(5e-5, 0)[0];
+}
+
 TEST(ElasticConstants, ReadsTheCurvesItIsTold) {
   LoadedPostprocessor p("elastic_constants", {{"stress", "platen_stress"}, {"strain", "platen_strain"}});
   p.curves.add_column("platen_stress", {0, 10, 20, 30, 100, 0});

@@ -130,9 +130,9 @@ TEST(Methods, StrainRateAndInertialNumber) {
       Json::parse(R"({"stress": {"largest_mean_stress_Pa": 1e6}, "packing": {"radius_mean": {"got": 0.5e-3}}})");
   run.input = Json::parse(R"({"material": {"density": "2500 kg/m3"}})");
   EXPECT_FALSE(strain_rate(run)) << "without curves";
-  run.curves = {{"time", "s", "", {1e-3, 1.5e-3, 2e-3, 9e-3}},
-                {"platen_strain", "1", "", {0, 0.001, 0.002, 0.5}},
-                {"platen_stress", "Pa", "", {0, 1e6, 3e6, 2e6}}};
+  run.curves = {{"time", "s", "", "", {1e-3, 1.5e-3, 2e-3, 9e-3}},
+                {"platen_strain", "1", "", "machine_strain", {0, 0.001, 0.002, 0.5}},
+                {"platen_stress", "Pa", "", "machine_stress", {0, 1e6, 3e6, 2e6}}};
   const auto rate = strain_rate(run);
   ASSERT_TRUE(rate);
   EXPECT_EQ(rate->curve, "platen_strain");

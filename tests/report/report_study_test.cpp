@@ -54,7 +54,14 @@ TEST_F(ReportOfStudy, CasesMeansAndFailures) {
   EXPECT_NE(html.find("strength &amp; &lt;more&gt;"), std::string::npos);
   for (const char* tag : {"<more>", "<b>`", "<script", "href=\"http"})
     EXPECT_EQ(html.find(tag), std::string::npos) << tag;
-  EXPECT_NE(content(folder_ / "study/methods.md").find("The study had 8 cases"), std::string::npos);
+  const std::string methods = content(folder_ / "study/methods.md");
+  EXPECT_NE(
+      methods.find(
+          "The study had 8 cases, of which 4 have results. They differed in file (“small.csv” and “damaged.csv”)"),
+      std::string::npos)
+      << methods;
+  for (const char* part : {"and bond modulus (10 and 20 GPa).", "There were 2 packings, by as many seeds"})
+    EXPECT_NE(methods.find(part), std::string::npos) << part << "\n" << methods;
   const Json crate = Json::parse(content(folder_ / "study/ro-crate-metadata.json"));
   EXPECT_NE(crate.dump().find("\"cases/"), std::string::npos);
 }

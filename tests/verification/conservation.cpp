@@ -123,7 +123,8 @@ TEST(Conservation, DampingActsOnTheNormOfTheResultant) {
     s.time_step = 1e-6;
     s.particles.velocity()[0] = Vec3(0, 0, 2);
     s.particles.force()[0] = Vec3(0, 0, direction * 3e-3);
-    integrate(s, {0.4, 0.4}, CellMotion{}, false, 1);
+    BlockAccount account;
+    integrate(s, {0.4, 0.4}, CellMotion{}, false, 1, {&account, 1});
     const double gain = (s.particles.velocity()[0].z() - 2) * s.particles.mass()[0] / s.time_step;
     EXPECT_NEAR(gain, direction * 3e-3 - 0.4 * 3e-3, 1e-12);
   }

@@ -42,12 +42,21 @@ class MadeScene {
   void add_wall(const std::string& name, const Vec3& point, const Vec3& normal) {
     walls_.push_back({name, point, normal, Vec3::Zero(), Vec3::Zero(), -1e3 * normal, 1e3, 0, 1});
   }
-  /// A bond between the first two spheres that broke in tension, at 1 ms.
-  void add_crack(const Vec3& at, const Vec3& normal) { cracks_.push_back({1e-3, at, normal}); }
+  /// A bond between the first two spheres that broke in tension, at 1 ms, and released `energy` [J].
+  void add_crack(const Vec3& at, const Vec3& normal, double energy = 0) {
+    cracks_.push_back({1e-3, at, normal, energy});
+  }
   std::size_t size() const { return radius_.size(); }
 
   /// One frame.
   void write(const std::filesystem::path& folder) const {
+    QuietHost host;
+    auto output = make<Output>(BRECCIA_VTK_PLUGIN, {});
+    output->begin(folder, host);
+    write_frame(*output);
+    output->finish();
+  }
+  void write_frame(Output& output) const {
     const std::size_t n = size();
     std::vector<Vec3> initial, none(n, Vec3::Zero());
     std::vector<Index> id;
@@ -56,6 +65,7 @@ class MadeScene {
       id.push_back(Index(p));
     }
     SimulationView view;
+    view.dimension = dimension;
     view.particles = {position, none, none, initial, none, none, applied, {}, radius_, radius_, held, id, {}};
     const std::vector<Index> first(cracks_.size(), 0), second(cracks_.size(), 1),
         parted(cracks_.size(), BondsView::no_pair);
@@ -66,15 +76,13 @@ class MadeScene {
     view.bonds = {first, second, distance, broken, parted, row, cracks_};
     view.walls = walls_;
     view.specimen = shape_;
-    QuietHost host;
-    auto output = make<Output>(BRECCIA_VTK_PLUGIN, {});
-    output->begin(folder, host);
-    output->frame(view, {});
-    output->finish();
+    output.frame(view, fields);
   }
 
+  int dimension = 3;
   std::vector<Vec3> position, displacement, applied;
   std::vector<std::uint8_t> held;
+  std::vector<Field> fields;
 
  private:
   SpecimenShape shape_;

@@ -261,6 +261,35 @@ TEST_F(Charts, WhatCurvesJsonSaysAmissIsTakenFromTheHeader) {
   EXPECT_FALSE(fs::is_empty(to_.path()));
 }
 
+/// A test that nobody knows: what its curves are is said by their roles.
+TEST_F(Charts, CurvesOfOtherNamesAreFoundByTheirRoles) {
+  run(".", 1e6, "squeeze,push_Pa,cracked");
+  from_.file("curves.json", R"([{"header": "squeeze", "name": "squeeze", "unit": "1", "role": "machine_strain"},
+      {"header": "push_Pa", "name": "push", "unit": "Pa", "role": "machine_stress"},
+      {"header": "cracked", "name": "cracked", "unit": "1"}])");
+  ASSERT_EQ(render().size(), 3u);
+  const std::string svg = bytes(to_.path() / "stress_strain.svg");
+  for (const char* part : {"squeeze", "push", "MPa"}) EXPECT_NE(svg.find(part), std::string::npos) << part;
+  EXPECT_EQ(svg.find("cracked"), std::string::npos) << "is nothing in particular";
+}
+
+TEST_F(Charts, NothingIsSaidOfDamageWhereThereIsNone) {
+  const auto svg = [&](double damage, const std::string& first) {
+    std::string text = "axial_strain,axial_stress_Pa,global_damage\n" + first + ",0,0\n";
+    for (int k = 1; k < 10; ++k)
+      text += std::to_string(k * 1e-3) + "," + std::to_string(k * 1e6) + "," + std::to_string(damage) + "\n";
+    Folder one;
+    one.file("curves.csv", text);
+    make<Renderer>(BRECCIA_PICTURES_PLUGIN, {{"size", 300}, {"pictures", {{{"show", "stress_strain"}}}}})
+        ->render({one.path(), to_.path()}, host_);
+    return bytes(to_.path() / "stress_strain.svg");
+  };
+  EXPECT_NE(svg(0.2, "0").find("broken bonds"), std::string::npos);
+  EXPECT_EQ(svg(0, "0").find("broken bonds"), std::string::npos);
+  // Less than a line's width below zero is no reason to begin the axis there.
+  EXPECT_EQ(svg(0, "-1e-9"), svg(0, "0"));
+}
+
 TEST_F(Charts, MohrCirclesAreRoundAndTheLineTouchesThem) {
   // On one line: sigma_1 = 20 MPa + 4 sigma_3, hence c = 5 MPa and sin(phi) = 0.6.
   const auto test = [&](const std::string& name, double confining, double axial) {

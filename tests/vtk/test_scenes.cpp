@@ -1,55 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From where pictures are seen, what of a specimen they show, and in which colours.
-#include <sstream>
-
-#include "breccia/output.hpp"
-#include "made_scene.hpp"
-#include "png_image.hpp"
-#include "specimen.hpp"
+#include "scenes.hpp"
 
 namespace breccia::test {
 namespace {
-
-using Outline = SpecimenShape::Outline;
-const std::array<unsigned char, 3> wall{243, 243, 243};
-
-/// Rows and columns that have more than single pixels of the pale wall, and the share of their rectangle that is pale.
-struct Wall {
-  int wide = 0, high = 0;
-  double filled = 0;
-  explicit Wall(const Image& image) {
-    std::vector<int> in_row(std::size_t(image.height), 0), in_column(std::size_t(image.width), 0);
-    double all = 0;
-    for (std::size_t k = 0; k < image.pixel.size(); ++k)
-      if (image.pixel[k] == wall) {
-        ++in_row[k / std::size_t(image.width)];
-        ++in_column[k % std::size_t(image.width)];
-        ++all;
-      }
-    for (const int n : in_row) high += n > 8;
-    for (const int n : in_column) wide += n > 8;
-    filled = high > 0 && wide > 0 ? all / (double(wide) * high) : 0;
-  }
-};
-
-class Scenes : public ::testing::Test {
- protected:
-  Image drawn(const Json& picture) {
-    for (const auto& entry : fs::directory_iterator(to_.path())) fs::remove(entry.path());
-    const auto made = render(from_.path(), to_.path(), {{"size", 400}, {"pictures", {picture}}}, host_);
-    EXPECT_TRUE(host_.warnings.empty()) << host_.warnings[0];
-    return read(made.at(0));
-  }
-  Names usual() { return names(render(from_.path(), to_.path(), {{"size", 200}}, host_)); }
-  Folder from_, to_;
-  QuietHost host_;
-};
-
-/// Lit from the upper left, a platen's side is a little darker than its own grey.
-double platens(const Image& image) { return image.share_of(169, 176, 182); }
-bool has(const Names& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 TEST_F(Scenes, ADiscBetweenPlatensIsSeenAlongItsAxis) {
   MadeScene scene(Outline::cylinder, {20e-3, 20e-3, 10e-3});
@@ -195,6 +149,41 @@ TEST_F(Scenes, ABeamLiesAndItsLoadPointsDown) {
   EXPECT_NEAR(x / ink, 0.5 * (margin_left + plain.width - margin_right), 2);
 }
 
+/// It bends by more than its depth, and lies as before when its load is taken away.
+TEST_F(Scenes, ABeamStaysInThePictureWhileItBendsAndAfterItsRelease) {
+  MadeScene scene(Outline::box, {2e-3, 2e-3, 42e-3});
+  for (int k = 0; k < 21; ++k) scene.add({0, 0, 1e-3 + 2e-3 * k}, 1e-3);
+  scene.held.assign(21, 0);
+  scene.held.front() = scene.held.back() = dof::translation;
+  auto output = make<Output>(BRECCIA_VTK_PLUGIN, {});
+  output->begin(from_.path(), host_);
+  scene.applied.assign(21, Vec3::Zero());
+  scene.applied[10] = Vec3(3, 0, 0);
+  scene.displacement[10] = Vec3(3e-3, 0, 0);
+  scene.position[10].x() = 3e-3;
+  scene.write_frame(*output);
+  scene.applied.assign(21, Vec3::Zero());
+  scene.write_frame(*output);
+  output->finish();
+  const Json displacement = {{"show", "displacement"}, {"time", false}};
+  Json before = displacement;
+  before["frame"] = 0;
+  const Image loaded = drawn(before), released = drawn(displacement);
+  // The end of the colours is where the middle is, apart from the bar at the right.
+  const auto middle = [](const Image& image) {
+    double yellow = 0;
+    for (std::size_t k = 0; k < image.pixel.size(); ++k) {
+      const auto& p = image.pixel[k];
+      yellow += double(k % std::size_t(image.width)) < 0.8 * image.width && p[0] > 150 && p[2] < 80;
+    }
+    return yellow;
+  };
+  EXPECT_GT(middle(loaded), 20);
+  EXPECT_GT(middle(released), 20);
+  EXPECT_GT(released.width, released.height) << "lying";
+  EXPECT_GT(released.share_of(70, 70, 74), 0.003) << "what is held";
+}
+
 TEST_F(Scenes, HeldEndsThatMoveApartHavePlatesAndAreSeenFromTheFront) {
   MadeScene scene(Outline::box, {20e-3, 20e-3, 40e-3});
   scene.add_corners(4e-3);
@@ -205,72 +194,6 @@ TEST_F(Scenes, HeldEndsThatMoveApartHavePlatesAndAreSeenFromTheFront) {
   const Image image = drawn({{"show", "cracks"}});
   EXPECT_GT(platens(image), 0.01);
   EXPECT_NEAR(Wall(image).filled, 1, 0.02) << "a rectangle";
-}
-
-class ScenesOfCracks : public Scenes {
- protected:
-  static const Specimen& specimen() {
-    static const Specimen one(1200, 3);
-    return one;
-  }
-  void SetUp() override { write_frames(specimen(), from_.path()); }
-  double blue(const Json& more) {
-    Json picture = {{"show", "cracks"}};
-    picture.update(more);
-    return drawn(picture).share_of(0, 100, 156);
-  }
-};
-
-/// Face to face, evenly from front to back: 200 discs of 2 mm would cover the view of 20 by 20 mm six times.
-TEST_F(Scenes, OfCracksThatHideEachOtherASlabIsShown) {
-  MadeScene scene(Outline::box, {20e-3, 20e-3, 20e-3});
-  scene.add_corners(2e-3);
-  for (int k = 0; k < 200; ++k)
-    scene.add_crack({1e-3 * (k * 7 % 17 - 8), 1e-4 * (k - 99.5), 1e-3 * (4 + k * 11 % 13)}, Vec3::UnitY());
-  scene.write(from_.path());
-  const auto covered = [&](const Json& more) {
-    Json picture = {{"show", "cracks"}};
-    picture.update(more);
-    const Image image = drawn(picture);
-    const double blue = image.share_of(0, 108, 168),
-                 pale = double(std::count(image.pixel.begin(), image.pixel.end(), wall)) / double(image.pixel.size());
-    return blue / (blue + pale);
-  };
-  EXPECT_GT(covered({{"slice", {{"thickness", 1}}}}), 0.7);
-  const double slab = covered(Json::object());
-  EXPECT_GT(slab, 0.02);
-  EXPECT_LT(slab, 0.35);
-  EXPECT_LT(covered({{"since", 2e-3}}), 0.02) << "later than all: the legend's dot remains";
-}
-
-TEST_F(ScenesOfCracks, AreSizedByAField) {
-  // With areas in proportion to the radius, small discs are larger than their particles.
-  const Json all = {{"slice", {{"thickness", 1}}}};
-  Json sized = all;
-  sized["size_by"] = "crack_radius";
-  EXPECT_GT(blue(sized), 1.02 * blue(all));
-}
-
-TEST_F(ScenesOfCracks, AreSeenThroughTransparentParticles) {
-  const Json grey = {{"show", "specimen"}, {"field", "radius"}, {"colour_map", "grey"}};
-  Json glass = grey;
-  glass["opacity"] = 0.3;
-  const auto bluish = [](const Image& image) {
-    return double(std::count_if(image.pixel.begin(), image.pixel.end(), [](auto& p) { return p[2] > p[0] + 50; })) /
-           double(image.pixel.size());
-  };
-  EXPECT_LT(bluish(drawn(grey)), 0.001);
-  EXPECT_GT(bluish(drawn(glass)), 0.01);
-}
-
-TEST_F(ScenesOfCracks, AFieldHasAHistogram) {
-  const Json four = {{"size", 300}, {"pictures", {{{"show", "histogram"}, {"field", "force_shear"}, {"bins", 4}}}}};
-  EXPECT_EQ(names(render(from_.path(), to_.path(), four, host_)),
-            (Names{"histogram_force_shear.png", "histogram_force_shear.svg", "histogram_force_shear.pdf"}));
-  const std::string svg = bytes(to_.path() / "histogram_force_shear.svg");
-  const std::size_t bonds = specimen().view(0).bonds.size();
-  EXPECT_NE(svg.find("force shear (N)"), std::string::npos);
-  EXPECT_NE(svg.find("n = " + std::to_string(bonds / 1000) + "\u202f"), std::string::npos);
 }
 
 TEST(SceneKeys, ThoseThatDoNotGoTogetherAreRefused) {

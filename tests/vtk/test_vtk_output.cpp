@@ -104,6 +104,7 @@ TEST_F(VtkOutput, BondsComeBackWithTheForcesOfTheirPairs) {
     EXPECT_EQ(on->GetArray("break_time")->GetTuple1(n), b.crack(k) ? b.crack(k)->time : -1);
     EXPECT_EQ(vector_at(on, "break_position", n), (b.crack(k) ? b.crack(k)->position : Vec3(0, 0, 0)));
     EXPECT_EQ(vector_at(on, "break_normal", n), (b.crack(k) ? b.crack(k)->normal : Vec3(0, 0, 0)));
+    EXPECT_EQ(on->GetArray("released_energy")->GetTuple1(n), b.crack(k) ? b.crack(k)->energy : 0);
     EXPECT_EQ(on->GetArray("initial_distance")->GetTuple1(n), b.initial_distance[k]);
     EXPECT_EQ(on->GetArray("crack_radius")->GetTuple1(n),
               std::min(view.particles.radius[b.i[k]], view.particles.radius[b.j[k]]));

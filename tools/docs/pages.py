@@ -25,6 +25,7 @@ MENU = [
         ("Materials and scatter", "docs/materials.md"),
         ("Parameter studies", "docs/sweeps.md"),
         ("Calibration", "docs/calibration.md"),
+        ("Several ranks, clusters", "docs/clusters.md"),
         ("Results in Python", "docs/python.md"),
         ("What is measured", "docs/measurements.md"),
         ("Reports", "docs/reports.md"),

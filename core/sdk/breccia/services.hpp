@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "breccia/result_name.hpp"
+#include "breccia/roles.hpp"
 #include "breccia/schema.hpp"
 
 namespace breccia {
@@ -43,6 +44,7 @@ struct Column {
   std::string name;  ///< unique, lower case with underscores, without the unit
   std::string unit;  ///< SI; "1" for a pure number
   std::string doc;
+  std::string role = {};  ///< what it is in the test (`roles.hpp`), if it is one of those
 };
 
 /// The rows of curves.csv. A plugin adds its columns in `begin` or `setup` and fills them at each sample.

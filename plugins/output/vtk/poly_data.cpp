@@ -96,6 +96,8 @@ vtkSmartPointer<vtkPolyData> bond_data(const SimulationView& view, std::span<con
            [&](std::size_t k) { return b.crack(k) ? b.crack(k)->position : Vec3::Zero().eval(); });
   add_real(on, precision, "break_normal", "1", n,
            [&](std::size_t k) { return b.crack(k) ? b.crack(k)->normal : Vec3::Zero().eval(); });
+  add_real(on, precision, "released_energy", "J", n,
+           [&](std::size_t k) { return b.crack(k) ? b.crack(k)->energy : 0; });
   add_real(on, precision, "crack_radius", "m", n,
            [&](std::size_t k) { return std::min(view.particles.radius[b.i[k]], view.particles.radius[b.j[k]]); });
   if (const auto& of = view.particles.material; !of.empty()) {

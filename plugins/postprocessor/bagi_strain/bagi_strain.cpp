@@ -66,8 +66,10 @@ class BagiStrain final : public Postprocessor {
     const std::array<const char*, 6> names{"xx", "yy", "zz", "xy", "yz", "zx"};
     for (std::size_t k = 0; k < 6; ++k)
       tensor_[k] = recorder.add({std::string("strain_") + names[k], "1", "mean strain, positive in extension"});
-    axial_ = recorder.add({"axial_strain", "1", "mean strain along the specimen axis, positive in compression"});
-    lateral_ = recorder.add({"lateral_strain", "1", "mean strain across the axis, positive in extension"});
+    axial_ = recorder.add(
+        {"axial_strain", "1", "mean strain along the specimen axis, positive in compression", role::strain});
+    lateral_ = recorder.add(
+        {"lateral_strain", "1", "mean strain across the axis, positive in extension", role::lateral_strain});
     volumetric_ = recorder.add({"volumetric_strain", "1", "mean volumetric strain, positive in compression"});
     refer(view);
     if (mean_.report().peeled_volume_share > 0.25)

@@ -46,7 +46,7 @@ class Damage final : public Postprocessor {
     broken_ = recorder.add({"bonds_broken", "1", "number of bonds broken in any mode"});
     tension_ = recorder.add({"bonds_broken_tension", "1", "number of bonds broken in tension"});
     shear_ = recorder.add({"bonds_broken_shear", "1", "number of bonds broken in shear"});
-    damage_ = recorder.add({"global_damage", "1", "broken bonds over all bonds made"});
+    damage_ = recorder.add({"global_damage", "1", "broken bonds over all bonds made", role::damage});
     fragments_ = recorder.add({"fragments", "1", "number of fragments with more than one particle"});
     largest_ =
         recorder.add({"largest_fragment_share", "1", "mass of the heaviest fragment over that of all particles"});

@@ -59,6 +59,18 @@ std::optional<Line> fit_line(const std::vector<double>& x, const std::vector<dou
   return Line{xy / xx, yy > 0 ? xy * xy / (xx * yy) : 1.0};
 }
 
+double slopes_apart(const std::vector<double>& x, const std::vector<double>& y, const FitRange& range) {
+  std::vector<double> part_x[2], part_y[2];
+  for (std::size_t k = range.begin; k < range.end; ++k) {
+    part_x[k % 2].push_back(x[k]);
+    part_y[k % 2].push_back(y[k]);
+  }
+  const auto slope_of = [&](int part) { return fit_line(part_x[part], part_y[part], {0, part_x[part].size()}); };
+  const auto even = slope_of(0), odd = slope_of(1);
+  if (!even || !odd || even->slope + odd->slope == 0) return 0;
+  return std::abs(2 * (even->slope - odd->slope) / (even->slope + odd->slope));
+}
+
 std::optional<CurvePoint> first_rise_to(const StressStrainCurve& c, std::vector<double> StressStrainCurve::*of,
                                         double level) {
   const std::vector<double>& column = c.*of;

@@ -48,6 +48,10 @@ FitRange loading_range(const StressStrainCurve& c, double lower, double upper);
 /// Least squares y = a + b x over the range; nothing with fewer than three samples or when x does not change.
 std::optional<Line> fit_line(const std::vector<double>& x, const std::vector<double>& y, const FitRange& range);
 
+/// How far the slopes of the samples with even and with odd places lie apart, over their mean: what the choice of
+/// samples alone does to a slope. 0 with too few of them to tell.
+double slopes_apart(const std::vector<double>& x, const std::vector<double>& y, const FitRange& range);
+
 /// Where a column of the curve first reaches `level`, or where the stress, past the peak in row `after`, first falls to
 /// it [Pa] other than by unloading; interpolated.
 std::optional<CurvePoint> first_rise_to(const StressStrainCurve& c, std::vector<double> StressStrainCurve::*of,

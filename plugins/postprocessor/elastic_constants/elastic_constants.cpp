@@ -2,6 +2,7 @@
 /// Young's modulus, Poisson's ratio, peak and brittleness from the curves of the run.
 /// Source: ISRM (1979), Suggested methods for determining the uniaxial compressive strength and deformability of rock
 /// materials, Int. J. Rock Mech. Min. Sci. 16, 135-140.
+#include <cstdio>
 #include <string>
 
 #include "breccia/postprocessor.hpp"
@@ -92,6 +93,8 @@ class ElasticConstants final : public Postprocessor {
 
   std::vector<std::string> needed_curves() const override { return {config_.stress, config_.strain, config_.lateral}; }
 
+  void begin(const SimulationView&, Recorder&, Host& host) override { host_ = &host; }
+
   void finish(const SimulationView& view, const Curves& curves, Summary& summary) override {
     const StressStrainCurve c{load(curves, config_.stress), load(curves, config_.strain), load(curves, config_.lateral),
                               machine(curves)};
@@ -139,6 +142,7 @@ class ElasticConstants final : public Postprocessor {
     summary.own({"average.youngs_modulus", "Pa"}, or_null(slope_modulus));
     summary.own("average.poisson_ratio", or_null(slope_poisson));
     report_fit(c, range, slope, lateral, summary);
+    if (average && slope && host_) doubt_line(c, range, slope->r2);
     summary.own({"secant.youngs_modulus", "Pa"}, or_null(secant_modulus));
     summary.own("secant.poisson_ratio", or_null(secant_poisson));
     summary.own("secant.share_of_peak", config_.secant_at);
@@ -168,9 +172,8 @@ class ElasticConstants final : public Postprocessor {
 
   /// The platens' approach, of tests that have one; in its sense of growing with the load.
   std::vector<double> machine(const Curves& curves) const {
-    for (const Column& column : curves.columns())
-      if (column.name == "platen_strain") return load(curves, column.name);
-    return {};
+    const Column* const way = role::find(curves.columns(), {role::machine_strain});
+    return way ? load(curves, way->name) : std::vector<double>{};
   }
 
   /// Where the lateral stress grows with the axial one, a slope of stress over strain is no Young's modulus: Hooke's
@@ -191,6 +194,22 @@ class ElasticConstants final : public Postprocessor {
 
   std::string name_of_sense() const { return config_.sense == Sense::compression ? "compression" : "tension"; }
 
+  /// A modulus that other samples of the same test would not give is not the specimen's.
+  void doubt_line(const StressStrainCurve& c, const FitRange& range, double r2) const {
+    constexpr double least_r2 = 0.99, most_apart = 0.01;
+    const double apart = slopes_apart(c.strain, c.stress, range);
+    if (r2 >= least_r2 && apart <= most_apart) return;
+    char text[480];
+    std::snprintf(
+        text, sizeof text,
+        "Young's modulus is the slope of a line that the stress does not follow: from %.3g to %.3g of the peak "
+        "r2 is %.4f, and every other one of the %zu samples gives a slope %.2g %% away from that of the rest. "
+        "The specimen rings, or the range is not straight: load it more slowly or from rest, look at the "
+        "curve, choose `range_lower` and `range_upper` by it",
+        config_.range_lower, config_.range_upper, r2, range.size(), 100 * apart);
+    host_->warn(text);
+  }
+
   static void report_fit(const StressStrainCurve& c, const FitRange& range, const std::optional<Line>& slope,
                          const std::optional<Line>& lateral, Summary& summary) {
     summary.own("average.range.samples", range.size());
@@ -203,6 +222,7 @@ class ElasticConstants final : public Postprocessor {
   }
 
   Config config_;
+  Host* host_ = nullptr;
 };
 
 }  // namespace breccia

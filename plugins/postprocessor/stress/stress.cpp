@@ -50,7 +50,8 @@ class Stress final : public Postprocessor {
     const std::array<const char*, 6> names{"xx", "yy", "zz", "xy", "yz", "zx"};
     for (std::size_t k = 0; k < 6; ++k)
       tensor_[k] = recorder.add({std::string("stress_") + names[k], "Pa", "mean stress, positive in tension"});
-    axial_ = recorder.add({"axial_stress", "Pa", "mean stress along the specimen axis, positive in compression"});
+    axial_ = recorder.add(
+        {"axial_stress", "Pa", "mean stress along the specimen axis, positive in compression", role::stress});
     lateral_ = recorder.add({"lateral_stress", "Pa", "mean stress across the axis, positive in compression"});
     mean_ = recorder.add({"mean_stress", "Pa", "third of the trace (half in two dimensions), positive in compression"});
     deviatoric_ = recorder.add({"deviatoric_stress", "Pa",

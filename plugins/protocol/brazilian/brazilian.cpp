@@ -92,10 +92,12 @@ class Brazilian final : public Protocol {
     const BondStiffness stiffness = control.bond_stiffness();
     modulus_ = stiffness.modulus;
     travel_ = stiffness.wave_speed > 0 ? diameter_ / stiffness.wave_speed : 0;
-    stress_ = recorder.add({"tensile_stress", "Pa", "2 P/(pi D t) with the mean load P of the platens"});
-    column_[0] = recorder.add({"load", "N", "mean of the platens' normal forces"});
-    column_[1] = recorder.add({"platen_displacement", "m", "by which the platens have come closer since seating"});
-    column_[2] = recorder.add({"diametral_strain", "1", "the same over the diameter"});
+    stress_ = recorder.add(
+        {"tensile_stress", "Pa", "2 P/(pi D t) with the mean load P of the platens", role::splitting_stress});
+    column_[0] = recorder.add({"load", "N", "mean of the platens' normal forces", role::load});
+    column_[1] = recorder.add(
+        {"platen_displacement", "m", "by which the platens have come closer since seating", role::displacement});
+    column_[2] = recorder.add({"diametral_strain", "1", "the same over the diameter", role::diametral_strain});
     column_[3] = recorder.add({"platen_imbalance", "1", "difference of the platens' forces over their mean"});
     column_[4] = recorder.add({"unbalanced_force_ratio", "1", "mean resultant on a particle over mean contact force"});
     column_[5] = recorder.add({carriers, "1", "particles that carry the load at a platen: the fewer of the two"});

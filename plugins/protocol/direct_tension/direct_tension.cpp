@@ -110,11 +110,14 @@ class DirectTension final : public Protocol {
     s_.lower_start = mean_height(p, lower_);
     s_.upper_start = mean_height(p, upper_);
     stress_ =
-        recorder.add({"platen_stress", "Pa", "mean load of both ends over the cross-section; compression positive"});
+        recorder.add({"platen_stress", "Pa", "mean load of both ends over the cross-section; compression positive",
+                      role::machine_stress});
     strain_ =
-        recorder.add({"platen_strain", "1", "displacement of the plates over the free length; compression positive"});
-    load_ = recorder.add({"load", "N", "what the plates pull with, mean of both ends; tension positive"});
-    displacement_ = recorder.add({"platen_displacement", "m", "by which the plates have moved apart"});
+        recorder.add({"platen_strain", "1", "displacement of the plates over the free length; compression positive",
+                      role::machine_strain});
+    load_ = recorder.add({"load", "N", "what the plates pull with, mean of both ends; tension positive", role::load});
+    displacement_ =
+        recorder.add({"platen_displacement", "m", "by which the plates have moved apart", role::displacement});
     imbalance_ = recorder.add({"platen_imbalance", "1", "difference of the ends' loads over their mean"});
     unbalanced_ = recorder.add(
         {"unbalanced_force_ratio", "1", "mean resultant on a particle that is not held over mean contact force"});

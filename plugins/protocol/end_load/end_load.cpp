@@ -32,9 +32,10 @@ class EndLoad final : public Protocol {
     factor_ = recorder.add({"load_factor", "1", "share of the loads that is applied"});
     for (const Loaded& l : loads_) force_ += l.force.norm();
     if (force_ > 0) {
-      load_ = recorder.add({"load", "N", "magnitudes of the applied forces, added up"});
+      load_ = recorder.add({"load", "N", "magnitudes of the applied forces, added up", role::load});
       load_displacement_ =
-          recorder.add({"load_displacement", "m", "of the points of the forces along them, weighted by the forces"});
+          recorder.add({"load_displacement", "m", "of the points of the forces along them, weighted by the forces",
+                        role::displacement});
     }
     for (const Supported& s : supports_) add_columns(recorder, s.group, true);
     for (const Loaded& l : loads_) add_columns(recorder, l.group, false);

@@ -102,10 +102,13 @@ class PeriodicCell final : public Protocol {
     travel_ = widest / stiffness_.wave_speed;
     failure_stress_ = c_.failure_stress.value_or(load_scale());
     s_.start = edges(view.cell);
-    axial_strain_ = recorder.add({"axial_strain", "1", "of the cell along the axis, compression positive"});
-    lateral_strain_ = recorder.add({"lateral_strain", "1", "of the cell across the axis, extension positive"});
+    axial_strain_ =
+        recorder.add({"axial_strain", "1", "of the cell along the axis, compression positive", role::strain});
+    lateral_strain_ =
+        recorder.add({"lateral_strain", "1", "of the cell across the axis, extension positive", role::lateral_strain});
     volumetric_strain_ = recorder.add({"volumetric_strain", "1", "of the cell, compression positive"});
-    axial_stress_ = recorder.add({"cell_axial_stress", "Pa", "of the pairs, along the axis, compression positive"});
+    axial_stress_ = recorder.add(
+        {"cell_axial_stress", "Pa", "of the pairs, along the axis, compression positive", role::machine_stress});
     lateral_stress_ =
         recorder.add({"cell_lateral_stress", "Pa", "of the pairs, across the axis, compression positive"});
     deviator_ = recorder.add({"cell_deviatoric_stress", "Pa", "axial minus lateral stress"});

@@ -85,7 +85,9 @@ Viewpoint::Viewpoint(const Spheres& spheres, const TestSetup& setup, const Direc
   Vec3 box_low = Vec3::Constant(-far), box_high = Vec3::Constant(far);
   if (setup.specimen) {
     const SpecimenShape& s = *setup.specimen;
-    const Vec3 centre = s.base + 0.5 * s.height * s.axis, half = 0.6 * s.extent;
+    // A slender beam bends by more than a tenth of its depth.
+    const Vec3 room = setup.held.empty() ? Vec3(0.1 * s.extent) : Vec3::Constant(0.1 * setup.size()),
+               centre = s.base + 0.5 * s.height * s.axis, half = 0.5 * s.extent + room;
     box_low = centre - half;
     box_high = centre + half;
     if (dimension_ == 2) {
@@ -107,13 +109,14 @@ Viewpoint::Viewpoint(const Spheres& spheres, const TestSetup& setup, const Direc
       for (int c = 0; c < 8; ++c)
         include(s.centre + (c & 1 ? s.a : Vec3(-s.a)) + (c & 2 ? s.b : Vec3(-s.b)) + (c & 4 ? s.c : Vec3(-s.c)), 0);
   if (setup.specimen)
-    for (const DeadLoad& l : setup.loads) include(l.tip - 1.1 * arrow_share * setup.size() * l.direction, 0);
+    for (const DeadLoad& l : setup.loads)
+      if (frames(l.tip, 0)) include(l.tip - 1.1 * arrow_share * setup.size() * l.direction, 0);
   // A single point, or points in a row: some room about them.
-  const double room = std::max({high_.x() - low_.x(), high_.y() - low_.y(), 1e-9});
+  const double size = std::max({high_.x() - low_.x(), high_.y() - low_.y(), 1e-9});
   for (int k = 0; k < 2; ++k)
-    if (!(high_[k] - low_[k] > 1e-6 * room)) {
-      low_[k] -= 0.5 * room;
-      high_[k] += 0.5 * room;
+    if (!(high_[k] - low_[k] > 1e-6 * size)) {
+      low_[k] -= 0.5 * size;
+      high_[k] += 0.5 * size;
     }
   for (int k = 0; k < 2; ++k) {
     const double middle = 0.5 * (low_[k] + high_[k]), half = 0.5 * (high_[k] - low_[k]) / zoom;

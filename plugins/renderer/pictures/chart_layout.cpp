@@ -29,6 +29,7 @@ struct Range {
     double a = low, b = high;
     if (!(a <= b)) return {0, 1, nice_ticks(0, 1, 6)};
     if (a > 0 && a < 0.3 * b) a = 0;
+    if (a < 0 && a > -0.002 * b) a = 0;  // less than half the width of a line
     if (!(b > a)) b = a + (a != 0 ? std::abs(a) : 1);
     const double step = nice_ticks(a, b, 6).step;
     // What goes a little beyond zero, as strains do while a specimen is confined, does not cost a step of the axis.

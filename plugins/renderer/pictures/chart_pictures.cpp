@@ -17,20 +17,31 @@ Shown shown(const Curve& c) {
   return {scaled(c.value, unit.factor), unit.unit};
 }
 
-/// The column that was asked for; else the mean over the specimen, or, in a run that does not measure it, the platens'.
-std::string strain_name(const CurvesFile& curves, const CurveNames& names) {
-  return names.strain.value_or(!curves.find("axial_strain") && curves.find("platen_strain") ? "platen_strain"
-                                                                                            : "axial_strain");
+/// The column that was asked for, else the first that has one of these roles in the test; null when there is none.
+const Curve* chosen(const CurvesFile& curves, const std::optional<std::string>& asked,
+                    std::initializer_list<std::string_view> roles) {
+  return asked ? curves.find(*asked) : curves.find_role(roles);
 }
-std::string stress_name(const CurvesFile& curves, const CurveNames& names) {
-  return names.stress.value_or(!curves.find("axial_stress") && curves.find("platen_stress") ? "platen_stress"
-                                                                                            : "axial_stress");
+// The mean over the specimen, or, in a run that does not measure it, what the machine shows.
+const Curve* strain_of(const CurvesFile& curves, const CurveNames& names) {
+  return chosen(curves, names.strain, {role::strain, role::machine_strain});
 }
-
-std::string displacement_name(const CurvesFile& curves, const CurveNames& names) {
-  return names.displacement.value_or(!curves.find("platen_displacement") && curves.find("load_displacement")
-                                         ? "load_displacement"
-                                         : "platen_displacement");
+const Curve* stress_of(const CurvesFile& curves, const CurveNames& names) {
+  return chosen(curves, names.stress, {role::stress, role::machine_stress});
+}
+const Curve* displacement_of(const CurvesFile& curves, const CurveNames& names) {
+  return chosen(curves, names.displacement, {role::displacement});
+}
+const Curve* load_of(const CurvesFile& curves, const CurveNames& names) {
+  return chosen(curves, names.load, {role::load});
+}
+const Curve* damage_of(const CurvesFile& curves, const CurveNames& names) {
+  return chosen(curves, names.damage, {role::damage});
+}
+/// UserError when there is none: with what there is where a name was asked for.
+const Curve& needed(const Curve* curve, const CurvesFile& curves, const std::optional<std::string>& asked,
+                    const char* usual) {
+  return curve ? *curve : curves.at(asked.value_or(usual));
 }
 
 /// Whether what is largest of it is negative: so is a test in tension that counts compression as positive.
@@ -51,7 +62,7 @@ std::string mark_of(const std::vector<double>& y, std::size_t at) {
   return "highest ";
 }
 
-/// One quantity over another with its peak marked, and damage on the right axis if it is recorded.
+/// One quantity over another with its peak marked, and damage on the right axis if there is some.
 Chart curve_with_peak(const Curve& across, const Curve& up, const Curve* damage) {
   const bool down = goes_down(up), back = down && goes_down(across);
   Shown x = shown(across), y = shown(up);
@@ -61,7 +72,7 @@ Chart curve_with_peak(const Curve& across, const Curve& up, const Curve* damage)
   chart.x_title = axis_title(across, x.unit, back);
   chart.left_title = axis_title(up, y.unit, down);
   chart.lines.push_back({title(up.name, ""), x.value, y.value, {blue}});
-  if (damage) {
+  if (damage && largest(damage->value) > 0) {
     const Shown d = shown(*damage);
     chart.right_title = axis_title(*damage, d.unit);
     chart.right_from_zero = damage->unit.empty();
@@ -134,24 +145,28 @@ std::string axis_title(const Curve& c, const std::string& unit, bool turned) {
 }
 
 Chart stress_strain_chart(const CurvesFile& curves, const CurveNames& names) {
-  return curve_with_peak(curves.at(strain_name(curves, names)), curves.at(stress_name(curves, names)),
-                         curves.find(names.damage));
+  return curve_with_peak(needed(strain_of(curves, names), curves, names.strain, role::strain),
+                         needed(stress_of(curves, names), curves, names.stress, role::stress),
+                         damage_of(curves, names));
 }
 
 Chart load_chart(const CurvesFile& curves, const CurveNames& names) {
-  return curve_with_peak(curves.at(displacement_name(curves, names)), curves.at(names.load), curves.find(names.damage));
+  return curve_with_peak(needed(displacement_of(curves, names), curves, names.displacement, role::displacement),
+                         needed(load_of(curves, names), curves, names.load, role::load), damage_of(curves, names));
 }
 
 bool has_stress_strain(const CurvesFile& curves, const CurveNames& names) {
-  return curves.find(strain_name(curves, names)) && curves.find(stress_name(curves, names));
+  return strain_of(curves, names) && stress_of(curves, names);
 }
 
 bool has_load(const CurvesFile& curves, const CurveNames& names) {
-  return curves.find(displacement_name(curves, names)) && curves.find(names.load);
+  return displacement_of(curves, names) && load_of(curves, names);
 }
 
 Chart strains_chart(const CurvesFile& curves, const CurveNames& names) {
-  const Curve &axial = curves.at(strain_name(curves, names)), &lateral = curves.at(names.lateral_strain);
+  const Curve &axial = needed(strain_of(curves, names), curves, names.strain, role::strain),
+              &lateral = needed(chosen(curves, names.lateral_strain, {role::lateral_strain}), curves,
+                                names.lateral_strain, role::lateral_strain);
   const Shown x = shown(axial), y = shown(lateral);
   Chart chart;
   chart.x_title = axis_title(axial, x.unit);

@@ -12,24 +12,27 @@ namespace breccia::pictures {
 
 /// Which columns are drawn, by header or by name without the unit.
 struct CurveNames {
-  std::optional<std::string> strain, stress, displacement;
-  std::string damage, lateral_strain, load;
+  std::optional<std::string> strain, stress, displacement, damage, lateral_strain, load;
 
   static void describe(Schema<CurveNames>& s) {
     s.param("strain", &CurveNames::strain)
         .example("axial_strain")
-        .doc("horizontal axis; if absent `axial_strain`, or else `platen_strain`");
+        .doc("horizontal axis; if absent the specimen's axial strain, or else that of the platens");
     s.param("stress", &CurveNames::stress)
         .example("axial_stress")
-        .doc("left axis, compression positive; if absent `axial_stress`, or else `platen_stress`");
+        .doc("left axis, compression positive; if absent the specimen's axial stress, or else that of the platens");
     s.param("damage", &CurveNames::damage)
-        .fallback("global_damage")
-        .doc("right axis of `stress_strain` and `load_curve`, if there is such a column");
-    s.param("lateral_strain", &CurveNames::lateral_strain).fallback("lateral_strain").doc("left axis of `strains`");
+        .example("global_damage")
+        .doc(
+            "right axis of `stress_strain` and `load_curve`; if absent the share of broken bonds, where it is "
+            "measured");
+    s.param("lateral_strain", &CurveNames::lateral_strain)
+        .example("lateral_strain")
+        .doc("left axis of `strains`; if absent the specimen's lateral strain");
     s.param("displacement", &CurveNames::displacement)
         .example("platen_displacement")
-        .doc("horizontal axis of `load_curve`; if absent `platen_displacement`, or else `load_displacement`");
-    s.param("load", &CurveNames::load).fallback("load").doc("left axis of `load_curve`");
+        .doc("horizontal axis of `load_curve`; if absent how far the test says that what loads has gone");
+    s.param("load", &CurveNames::load).example("load").doc("left axis of `load_curve`; if absent the test's own load");
   }
 };
 

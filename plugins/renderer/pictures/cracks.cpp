@@ -19,18 +19,38 @@ bool has_broken_bonds(vtkPolyData* bonds) {
   return false;
 }
 
-std::vector<BrokenBond> broken_bonds(vtkPolyData* bonds, const std::string& size_by, double since) {
+namespace {
+
+/// How large each bond is drawn, when it is broken; nothing where it is the particles that say it.
+std::optional<Values> sizes_of(vtkPolyData* bonds, const std::string& size_by) {
+  if (size_by.empty() || size_by == "area") return {};
+  vtkCellData* data = bonds->GetCellData();
+  const bool energy = size_by == "energy";
+  if (energy && !data->HasArray("released_energy"))
+    throw UserError(
+        "`size_by: energy` needs the bond field `released_energy`, which these files, of an older Breccia, "
+        "do not have; leave it out, or run again");
+  Values v = field_of(data, energy ? "released_energy" : size_by, facts_of(bonds).dimension);
+  // A bond that was pushed hard may have taken some energy as it broke: it released none.
+  for (double& x : v.value) x = !std::isfinite(x) ? 0 : energy ? std::max(x, 0.0) : std::abs(x);
+  return v;
+}
+
+}  // namespace
+
+std::vector<BrokenBond> broken_bonds(vtkPolyData* bonds, const std::string& size_by, double since,
+                                     std::optional<CrackScale>& scale) {
   vtkCellData* data = bonds->GetCellData();
   vtkDataArray *state = data->GetArray("state"), *position = data->GetArray("break_position"),
                *normal = data->GetArray("break_normal"), *radius = data->GetArray("crack_radius"),
                *time = data->GetArray("break_time");
   if (!state || !position || !normal || !radius || !time)
     throw UserError("the bond file lacks one of state, break_time, break_position, break_normal, crack_radius");
-  std::vector<double> size;
-  if (!size_by.empty()) size = field_of(data, size_by).value;
+  const std::optional<Values> sizes = sizes_of(bonds, size_by);
 
   std::vector<BrokenBond> cracks;
-  double largest = 0, most = 0;
+  std::vector<double> size;
+  double largest = 0;
   for (vtkIdType b = 0; b < state->GetNumberOfTuples(); ++b) {
     const auto s = BondState(int(state->GetComponent(b, 0)));
     if (!is_broken(s)) continue;
@@ -42,14 +62,13 @@ std::vector<BrokenBond> broken_bonds(vtkPolyData* bonds, const std::string& size
     c.radius = radius->GetComponent(b, 0);
     c.mode = std::min<std::size_t>(std::size_t(s) - std::size_t(BondState::broken_tension), 2);
     largest = std::max(largest, c.radius);
-    if (!size.empty()) {
-      c.radius = std::isfinite(size[std::size_t(b)]) ? std::abs(size[std::size_t(b)]) : 0;
-      most = std::max(most, c.radius);
-    }
+    if (sizes) size.push_back(sizes->value[std::size_t(b)]);
     cracks.push_back(c);
   }
-  if (!size.empty())
-    for (BrokenBond& c : cracks) c.radius = most > 0 ? largest * std::sqrt(c.radius / most) : 0;
+  if (!sizes || cracks.empty()) return cracks;
+  if (!scale) scale = CrackScale{largest, *std::max_element(size.begin(), size.end()), sizes->name, sizes->unit};
+  for (std::size_t k = 0; k < cracks.size(); ++k)
+    cracks[k].radius = scale->value > 0 ? scale->radius * std::sqrt(size[k] / scale->value) : 0;
   return cracks;
 }
 

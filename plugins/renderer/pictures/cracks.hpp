@@ -15,10 +15,18 @@ struct BrokenBond {
   std::size_t mode;       ///< 0 tension, 1 shear, 2 combined
 };
 
-/// Those that broke at `since` or later. `size_by`: a bond field that the areas of the discs are in proportion to, the
-/// largest as large as the largest by radius; empty: each has the radius of the smaller particle. UserError when the
-/// file is not one of bonds, or has no such field.
-std::vector<BrokenBond> broken_bonds(vtkPolyData* bonds, const std::string& size_by, double since);
+/// What the largest disc stands for, of discs whose areas are in proportion to a bond field.
+struct CrackScale {
+  double radius = 0, value = 0;  ///< [m], and what that area is of the field
+  std::string name, unit;        ///< of the field
+};
+
+/// Those that broke at `since` or later. `size_by`: `area`, or nothing: each has the radius of the smaller particle;
+/// `energy`: areas in proportion to what was released, none below zero; or to the amounts of a bond field. Then `scale`
+/// is used, or made: the largest disc is as large as the largest by radius. UserError when the file is not one of
+/// bonds, or has no such field.
+std::vector<BrokenBond> broken_bonds(vtkPolyData* bonds, const std::string& size_by, double since,
+                                     std::optional<CrackScale>& scale);
 
 /// Whether there are any.
 bool has_broken_bonds(vtkPolyData* bonds);

@@ -5,11 +5,11 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <sstream>
 
 #include "breccia/schema.hpp"
 #include "breccia/text_file.hpp"
+#include "suggest.hpp"
 
 namespace breccia::pictures {
 namespace {
@@ -40,7 +40,8 @@ std::vector<Curve> described_curves(std::filesystem::path file, const std::vecto
         });
     if (at == described.end()) return {};  // of another table
     const std::string name = text(*at, "name"), unit = text(*at, "unit");
-    curves.push_back({name.empty() ? header : name, unit == "1" ? "" : unit, {}, text(*at, "doc")});
+    const std::string role = at->contains("role") ? text(*at, "role") : std::string(role::of_name(name));
+    curves.push_back({name.empty() ? header : name, unit == "1" ? "" : unit, {}, text(*at, "doc"), role});
   }
   return curves;
 }
@@ -66,23 +67,8 @@ Curve curve_named(const std::string& header) {
       length = suffix.size();
       unit = shown;
     }
-  return {length > 0 ? header.substr(0, header.size() - length - 1) : header, unit, {}};
-}
-
-/// Levenshtein's distance.
-std::size_t edits(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t(0));
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] != b[j - 1])});
-      diagonal = above;
-    }
-  }
-  return row.back();
+  const std::string name = length > 0 ? header.substr(0, header.size() - length - 1) : header;
+  return {name, unit, {}, {}, std::string(role::of_name(name))};
 }
 
 }  // namespace
@@ -122,24 +108,12 @@ const Curve* CurvesFile::find(const std::string& name) const {
 
 const Curve& CurvesFile::at(const std::string& name) const {
   if (const Curve* c = find(name)) return *c;
-  std::string nearest;
-  std::size_t least = 1 + name.size() / 3;
-  for (std::size_t c = 0; c < headers_.size(); ++c) {
-    const std::size_t d = std::min(edits(name, headers_[c]), edits(name, curves_[c].name));
-    if (d <= least) {
-      least = d;
-      nearest = headers_[c];
-    }
-  }
-  throw UserError(file_.filename().string() + " has no column `" + name + "`; " +
-                  (nearest.empty() ? "it has: " + first_of(headers_) : "did you mean `" + nearest + "`?"));
-}
-
-std::string first_of(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 4;
-  std::string text;
-  for (std::size_t k = 0; k < std::min(names.size(), most); ++k) text.append(k ? ", " : "").append(names[k]);
-  return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more" : text;
+  std::vector<std::string> names = headers_;
+  for (const Curve& c : curves_) names.push_back(c.name);
+  const auto nearest = nearest_of(name, names);
+  throw UserError(
+      file_.filename().string() + " has no column `" + name + "`; " +
+      (nearest ? "did you mean `" + headers_[*nearest % headers_.size()] + "`?" : "it has: " + first_of(headers_)));
 }
 
 }  // namespace breccia::pictures

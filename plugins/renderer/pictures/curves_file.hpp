@@ -7,13 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "breccia/roles.hpp"
+
 namespace breccia::pictures {
 
 struct Curve {
   std::string name;  ///< without the unit
   std::string unit;  ///< SI; empty for a pure number
   std::vector<double> value;
-  std::string doc = {};  ///< what curves.json says of it
+  std::string doc = {}, role = {};  ///< what curves.json says of it
 };
 
 class CurvesFile {
@@ -24,6 +26,8 @@ class CurvesFile {
   /// By header, or by name without the unit. UserError with the nearest and all names when there is none.
   const Curve& at(const std::string& name) const;
   const Curve* find(const std::string& name) const;
+  /// By role: the first that there is.
+  const Curve* find_role(std::initializer_list<std::string_view> roles) const { return role::find(curves_, roles); }
   const std::vector<Curve>& all() const { return curves_; }
 
  private:
@@ -31,8 +35,5 @@ class CurvesFile {
   std::vector<std::string> headers_;
   std::vector<Curve> curves_;
 };
-
-/// "a, b, c, d and 20 more": a warning is read when it is short.
-std::string first_of(const std::vector<std::string>& names);
 
 }  // namespace breccia::pictures

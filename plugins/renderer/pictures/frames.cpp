@@ -36,7 +36,10 @@ SceneFrame Frames::at(std::optional<long> index, bool cracks, bool with_bonds) {
   // Where platens and loads are at this time.
   TestSetup now = setup_of(f.particles, f.bonds, f.walls);
   if (now.platens.size() == f.setup.platens.size()) f.setup.platens = std::move(now.platens);
-  if (!now.loads.empty()) f.setup.loads = std::move(now.loads);
+  if (f.particles) {
+    f.setup.loads = std::move(now.loads);
+    if (!f.setup.held.empty()) f.setup.held = held_of(f.particles);
+  }
   return f;
 }
 
@@ -45,7 +48,19 @@ const TestSetup& Frames::setup() {
   const auto last = [](const std::vector<fs::path>& files) { return files.size() - 1; };  // of none: beyond the end
   const auto particles = try_to_read(results_.particle_frames, last(results_.particle_frames), particles_);
   const auto bonds = particles ? nullptr : try_to_read(results_.bond_frames, last(results_.bond_frames), bonds_);
-  setup_ = setup_of(particles, bonds, try_to_read(results_.wall_frames, last(results_.wall_frames), walls_));
+  const auto walls = try_to_read(results_.wall_frames, last(results_.wall_frames), walls_);
+  setup_ = setup_of(particles, bonds, walls);
+  if (!particles || !was_released(particles)) return *setup_;
+  // What was loaded how before it was let go is seen in one of the frames before.
+  constexpr std::size_t most = 20;
+  const std::size_t count = results_.particle_frames.size(), step = 1 + count / most;
+  for (std::size_t back = step; back < count; back += step) {
+    const auto before = try_to_read(results_.particle_frames, count - 1 - back, particles_);
+    TestSetup loaded = before ? setup_of(before, nullptr, walls) : TestSetup{};
+    if (loaded.loads.empty()) continue;
+    setup_ = std::move(loaded);
+    break;
+  }
   return *setup_;
 }
 

@@ -23,7 +23,8 @@ void Overlay::paint(Painter& painter) const {
   if (scale_bar > 0) paint_scale(painter);
   if (!directions.empty()) paint_directions(painter);
   for (std::size_t k = 0; k < captions.size(); ++k)
-    painter.text({width - 3 * u, (3.6 + 5.2 * double(k)) * u}, type_size * u, Anchor::end, captions[k], colour);
+    painter.text({width - 3 * u, (k == 0 ? 3.6 : 4.8 + 2.6 * double(k)) * u}, type_size * u, Anchor::end, captions[k],
+                 colour);
   if (!title.empty()) painter.text({0.5 * width, height - 4 * u}, 1.15 * title_size * u, Anchor::middle, title, colour);
   for (const auto& [from, to] : arrows) paint_arrow(painter, from, to);
 }

@@ -38,8 +38,27 @@ void describe_colours(Schema<PictureConfig>& s) {
   s.param("field", &PictureConfig::field)
       .example("velocity_z")
       .doc(
-          "particle field of the colours; of a vector its magnitude, or a component (`_x`, `_y`, `_z`); if absent "
-          "`damage`, or else, and while nothing is damaged, the displacement. Of a histogram it may be a bond field");
+          "particle field of the colours; of a vector or tensor its magnitude, or what `component` says, or the name "
+          "ends with (`velocity_z`, `stress_zz`); if absent `damage`, or else, and while nothing is damaged, the "
+          "displacement. Of a histogram it may be a bond field");
+  s.param("component", &PictureConfig::component)
+      .choice("x", FieldPart::x, "of a vector")
+      .choice("y", FieldPart::y, "of a vector")
+      .choice("z", FieldPart::z, "of a vector")
+      .choice("xx", FieldPart::xx, "of a tensor")
+      .choice("yy", FieldPart::yy, "of a tensor")
+      .choice("zz", FieldPart::zz, "of a tensor")
+      .choice("xy", FieldPart::xy, "of a tensor")
+      .choice("yz", FieldPart::yz, "of a tensor")
+      .choice("xz", FieldPart::xz, "of a tensor")
+      .choice("yx", FieldPart::yx, "of a tensor; of a symmetric one the same as xy")
+      .choice("zy", FieldPart::zy, "of a tensor; of a symmetric one the same as yz")
+      .choice("zx", FieldPart::zx, "of a tensor; of a symmetric one the same as xz")
+      .choice("magnitude", FieldPart::magnitude, "root of the sum of the squares of all components")
+      .choice("mean", FieldPart::mean, "of a tensor: third of its trace, in two dimensions half")
+      .choice("von_mises", FieldPart::von_mises,
+              "of a tensor: sqrt(3/2 s:s) of its deviator s, in two dimensions the difference of the principal values")
+      .doc("which number of a vector or tensor `field` is shown; `magnitude` if absent");
   s.param("colour_map", &PictureConfig::colour_map)
       .choice("automatic", ColourMap::automatic, "by the kind of field")
       .choice("viridis", ColourMap::viridis, "dark blue to yellow")
@@ -78,8 +97,10 @@ void describe_view(Schema<PictureConfig>& s) {
       .example("2 ms")
       .doc("only cracks that came at this time or later");
   s.param("size_by", &PictureConfig::size_by)
-      .example("force_shear")
-      .doc("bond field that the areas of cracks are in proportion to; if absent the smaller particle's section");
+      .example("energy")
+      .doc(
+          "what the areas of cracks are in proportion to: `area`, the smaller particle's section; `energy`, what the "
+          "bond released as it broke; or any bond field. The largest disc is as large as by `area`; `area` if absent");
   s.param("platens", &PictureConfig::platens)
       .doc("draws the platens; if absent where discs, tension and bending are seen from the face");
   s.param("axes", &PictureConfig::axes).doc("shows the directions x, y, z; true if absent");
@@ -110,10 +131,17 @@ void PictureConfig::describe(Schema<PictureConfig>& s) {
   describe_frames(s);
 }
 
+std::string PictureConfig::shown_field() const {
+  static constexpr const char* parts[] = {"x",  "y",  "z",  "xx", "yy",        "zz",   "xy",       "yz",
+                                          "xz", "yx", "zy", "zx", "magnitude", "mean", "von_mises"};
+  const std::string whole = field.value_or(show == Motif::displacement ? "displacement" : "");
+  return component ? whole + "_" + parts[int(*component)] : whole;
+}
+
 std::string PictureConfig::file_name() const {
   if (name) return *name;
   const std::string usual = motif_names[int(show)];
-  return show == Motif::histogram && field ? usual + "_" + *field : usual;
+  return show == Motif::histogram && field ? usual + "_" + shown_field() : usual;
 }
 
 void PictureConfig::check(const std::string& path, Issues& issues) const {
@@ -125,8 +153,12 @@ void PictureConfig::check(const std::string& path, Issues& issues) const {
   };
   const bool cracks = show == Motif::cracks || show == Motif::cracks_time, scene = is_scene();
   const char* const scenes = "pictures of particles and cracks";
-  refuse(field.has_value(), (scene && !cracks) || show == Motif::histogram, "field",
-         "pictures of particles and histograms");
+  const bool coloured = (scene && !cracks) || show == Motif::histogram;
+  refuse(field.has_value(), coloured, "field", "pictures of particles and histograms");
+  refuse(component.has_value(), coloured, "component", "pictures of particles and histograms");
+  if (component && coloured && !field && show != Motif::displacement && show != Motif::histogram)
+    issues.push_back(
+        {path + ".component", "a component of what? Add a `field`, for example `field: stress`, or leave this out"});
   refuse(low || high, scene && show != Motif::cracks, low ? "low" : "high", "pictures that have a colour bar");
   refuse(frame.has_value(), scene || show == Motif::histogram, "frame", "pictures of one instant");
   refuse(bins.has_value(), show == Motif::histogram, "bins", "histograms");
@@ -166,7 +198,7 @@ SceneWish PictureConfig::wish() const {
   SceneWish w;
   w.cracks = show == Motif::cracks || show == Motif::cracks_time;
   w.crack_colour = show == Motif::cracks_time ? CrackColour::time : CrackColour::mode;
-  w.field = field.value_or(show == Motif::displacement ? "displacement" : "");
+  w.field = shown_field();
   w.across = show == Motif::displacement_across && !field;
   w.colours = {colour_map, low, high};
   if (show == Motif::cutaway) w.cut = cut.value_or(Cut::automatic);

@@ -21,9 +21,12 @@ enum class Motif {
   histogram
 };
 
+enum class FieldPart { x, y, z, xx, yy, zz, xy, yz, xz, yx, zy, zx, magnitude, mean, von_mises };
+
 struct PictureConfig : SceneOptions {
   Motif show = Motif::specimen;
   std::optional<std::string> name, field;
+  std::optional<FieldPart> component;
   ColourMap colour_map = ColourMap::automatic;
   std::optional<double> low, high;
   std::optional<long> frame, bins;
@@ -36,6 +39,8 @@ struct PictureConfig : SceneOptions {
   void check(const std::string& path, Issues& issues) const;
 
   std::string file_name() const;
+  /// The field's name with that of the component, as files' readers know it; empty where nothing is said.
+  std::string shown_field() const;
   bool is_scene() const { return show <= Motif::displacement_across; }
   SceneWish wish() const;
 };

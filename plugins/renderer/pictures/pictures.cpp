@@ -193,7 +193,7 @@ class Pictures final : public Renderer {
       const bool load = has_load(curves, config_.columns);
       if (load) add(Motif::load_curve);
       // A disc on its edge has means along its axis, too, which say nothing.
-      if (has_stress_strain(curves, config_.columns) && (!load || curves.find("platen_strain")))
+      if (has_stress_strain(curves, config_.columns) && (!load || curves.find_role({role::machine_strain})))
         add(Motif::stress_strain);
     }
     if (usual.empty() && !results.tables.empty()) add(Motif::tables);
@@ -231,11 +231,12 @@ class Pictures final : public Renderer {
 
   /// Of a field of the particles, or else of the bonds.
   static Chart histogram(const PictureConfig& p, Frames& frames) {
+    const std::string field = p.shown_field();
     const SceneFrame frame = frames.at(p.frame, frames.count(false) == 0, true);
     vtkFieldData* const particles = frame.particles ? frame.particles->GetPointData() : nullptr;
     vtkFieldData* const bonds = frame.bonds ? frame.bonds->GetCellData() : nullptr;
-    const bool of_bonds = !particles || (bonds && !has_field(particles, *p.field) && has_field(bonds, *p.field));
-    return field_histogram(field_of(of_bonds ? bonds : particles, *p.field), p.bins);
+    const bool of_bonds = !particles || (bonds && !has_field(particles, field) && has_field(bonds, field));
+    return field_histogram(field_of(of_bonds ? bonds : particles, field, frame.setup.dimension), p.bins);
   }
 
   /// All frames with one view and one range of colours: those of the last frame, and of the values of all.

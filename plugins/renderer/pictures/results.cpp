@@ -4,19 +4,14 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
-#include <vtkInformation.h>
-#include <vtkInformationStringKey.h>
-#include <vtkPointData.h>
 #include <vtkStringArray.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLUtilities.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "../../shared/checked_vtp_reader.hpp"
 #include "breccia/error.hpp"
-#include "curves_file.hpp"
 
 namespace breccia::pictures {
 namespace fs = std::filesystem;
@@ -58,12 +53,6 @@ std::optional<double> number_fact(vtkPolyData* frame, const char* name) {
   vtkDataArray* a = frame->GetFieldData()->GetArray(name);
   if (!a || a->GetNumberOfComponents() != 1 || a->GetNumberOfTuples() < 1) return {};
   return a->GetTuple1(0);
-}
-
-std::string unit_of(vtkDataArray* array) {
-  if (array->HasInformation() && array->GetInformation()->Has(vtkDataArray::UNITS_LABEL()))
-    return array->GetInformation()->Get(vtkDataArray::UNITS_LABEL());
-  return {};
 }
 
 }  // namespace
@@ -129,45 +118,6 @@ FrameFacts facts_of(vtkPolyData* frame) {
   s.height = *height;
   f.specimen = s;
   return f;
-}
-
-namespace {
-
-/// The array, and which of its components is meant; -1: all of it. No array when there is no such field.
-std::pair<vtkDataArray*, int> named_array(vtkFieldData* data, const std::string& name) {
-  if (vtkDataArray* whole = data->GetArray(name.c_str())) return {whole, -1};
-  if (name.size() <= 2 || name[name.size() - 2] != '_' || name.back() < 'x' || name.back() > 'z') return {nullptr, -1};
-  vtkDataArray* vector = data->GetArray(name.substr(0, name.size() - 2).c_str());
-  if (vector && vector->GetNumberOfComponents() != 3) vector = nullptr;
-  return {vector, name.back() - 'x'};
-}
-
-}  // namespace
-
-bool has_field(vtkFieldData* data, const std::string& name) { return named_array(data, name).first; }
-
-Values field_of(vtkFieldData* data, const std::string& name) {
-  const auto [array, component] = named_array(data, name);
-  if (!array) {
-    std::vector<std::string> known;
-    for (int k = 0; k < data->GetNumberOfArrays(); ++k)
-      if (data->GetArray(k) && data->GetArrayName(k)) known.push_back(data->GetArrayName(k));
-    throw UserError("there is no field `" + name + "`; there are: " + first_of(known));
-  }
-  Values v{{}, name, unit_of(array)};
-  v.whole = array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
-  const int n = array->GetNumberOfComponents();
-  v.value.resize(std::size_t(array->GetNumberOfTuples()));
-  for (vtkIdType k = 0; k < array->GetNumberOfTuples(); ++k) {
-    if (component >= 0 || n == 1) {
-      v.value[std::size_t(k)] = array->GetComponent(k, std::max(component, 0));
-    } else {
-      double square = 0;
-      for (int c = 0; c < n; ++c) square += array->GetComponent(k, c) * array->GetComponent(k, c);
-      v.value[std::size_t(k)] = std::sqrt(square);
-    }
-  }
-  return v;
 }
 
 }  // namespace breccia::pictures

@@ -36,14 +36,16 @@ struct FrameFacts {
 };
 FrameFacts facts_of(vtkPolyData* frame);
 
-/// One number per particle (or bond): a scalar array, a component ("velocity_z"), or the magnitude of a vector array.
-/// UserError, with what there is, when there is no such field.
+/// One number per particle (or bond): an array of numbers, a component of vectors or tensors ("velocity_z",
+/// "stress_zz"), or `_magnitude`, and of tensors `_mean`, `_von_mises`; of an array alone its magnitude. In two
+/// dimensions the mean of a tensor is that of the plane. UserError, with what there is, when there is no such field or
+/// component.
 struct Values {
   std::vector<double> value;
   std::string name, unit;
   bool whole = false;  ///< counts and numbers of things
 };
-Values field_of(vtkFieldData* data, const std::string& name);
+Values field_of(vtkFieldData* data, const std::string& name, int dimension = 3);
 bool has_field(vtkFieldData* data, const std::string& name);
 
 }  // namespace breccia::pictures

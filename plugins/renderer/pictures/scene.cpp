@@ -2,6 +2,7 @@
 #include "scene.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -100,9 +101,17 @@ void add_section(Scene& scene, const Spheres& spheres, const std::vector<Rgb>& c
 }
 
 void add_cracks(Scene& scene, const std::vector<BrokenBond>& cracks, const std::vector<Rgb>& colour, int dimension,
-                const Projection& view) {
+                const Projection& view, double line_width) {
   for (std::size_t k = 0; k < cracks.size(); ++k) {
     const BrokenBond& c = cracks[k];
+    if (!(c.radius > 0)) continue;
+    // Seen from its edge a disc has no width at all: it is a line then.
+    const double width = std::min(line_width, 0.3 * c.radius);
+    if (dimension == 3 && c.radius * std::abs(c.normal.dot(view.toward)) < 0.5 * width) {
+      const Vec3 along = c.normal.cross(view.toward).normalized(), across = view.toward.cross(along);
+      scene.patches.push_back({c.position, c.radius * along, 0.5 * width * across, false, false, false, colour[k]});
+      continue;
+    }
     const auto [a, b] = dimension == 2 ? std::pair<Vec3, Vec3>{Vec3(-c.normal.y(), c.normal.x(), 0), 0.18 * c.normal}
                                        : tangents(c.normal);
     scene.patches.push_back({c.position, c.radius * a, c.radius * b, dimension == 3, dimension == 3, false, colour[k]});

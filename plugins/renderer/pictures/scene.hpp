@@ -14,9 +14,10 @@ void add_spheres(Scene& scene, const Spheres& spheres, const std::vector<Rgb>& c
 void add_section(Scene& scene, const Spheres& spheres, const std::vector<Rgb>& colour, const Vec3& point,
                  const Vec3& normal);
 
-/// A disc with a dark rim across each broken bond (a short bar in two dimensions).
+/// A disc with a dark rim across each broken bond (a short bar in two dimensions), or a line, `line_width` [m] wide,
+/// where it is seen from its edge.
 void add_cracks(Scene& scene, const std::vector<BrokenBond>& cracks, const std::vector<Rgb>& colour, int dimension,
-                const Projection& view);
+                const Projection& view, double line_width);
 
 void add_slabs(Scene& scene, const std::vector<Slab>& slabs);
 

@@ -46,8 +46,10 @@ class Drawing {
     if (wish.cracks && opacity_ > 0 && !frame.particles)
       throw UserError("there are no frames of particles to be seen through");
     if (frame.bonds && (wish.cracks || opacity_ < 1))
-      cracks_ = broken_bonds(frame.bonds, options_.size_by.value_or(""), options_.since.value_or(-1));
+      cracks_ =
+          broken_bonds(frame.bonds, options_.size_by.value_or(""), options_.since.value_or(-1), fixed.crack_scale);
     all_cracks_ = cracks_.size();
+    if (!cracks_.empty() && fixed.crack_scale) say_size(*fixed.crack_scale);
     look(fixed);
     if (opacity_ > 0) take_spheres(fixed);
     take_cracks();
@@ -60,12 +62,12 @@ class Drawing {
     Scene scene;
     scene.occlusion = setup_.dimension == 3;
     scene.opacity = opacity_;
+    const double thin = 0.14 * paper.unit / projection.pixels_per_metre;
     if (setup_.specimen && wish_.cracks)
-      add_outline(scene, *setup_.specimen, setup_.dimension, projection,
-                  0.14 * paper.unit / projection.pixels_per_metre, at_start());
+      add_outline(scene, *setup_.specimen, setup_.dimension, projection, thin, at_start());
     if (cutting_->is_section()) add_section(scene, spheres_, colour_, cutting_->point(), cutting_->normal());
     else add_spheres(scene, spheres_, colour_);
-    add_cracks(scene, cracks_, crack_colour_, setup_.dimension, projection);
+    add_cracks(scene, cracks_, crack_colour_, setup_.dimension, projection, 3 * thin);
     if (platens_) add_slabs(scene, slabs_of(setup_));
     write_over(paper, projection);
     return {cast(scene, projection, paper.width, paper.height, sheet_.background, sheet_.threads), std::move(overlay_)};
@@ -192,6 +194,12 @@ class Drawing {
                                 length_text(cutting_->crack_slab()));
   }
 
+  void say_size(const CrackScale& scale) {
+    const ShownUnit unit = shown_unit(scale.unit, scale.value);
+    overlay_.captions.push_back("largest disc: " + title(scale.name, "") + " " +
+                                significant(scale.value * unit.factor, 3) + (unit.unit.empty() ? "" : " " + unit.unit));
+  }
+
   void colour_by_time() {
     Values times{{}, "break_time", "s"};
     for (const BrokenBond& c : cracks_) times.value.push_back(c.time);
@@ -230,6 +238,7 @@ class Drawing {
     }
     if (!setup_.specimen) return;
     for (const DeadLoad& load : setup_.loads) {
+      if (!view_->frames(load.tip, 0)) continue;  // what it acts on has left the picture
       const Vec3 from = load.tip - arrow_share * setup_.size() * load.direction;
       overlay_.arrows.emplace_back(projection.seen(from).head<2>(), projection.seen(load.tip).head<2>());
     }

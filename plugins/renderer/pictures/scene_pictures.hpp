@@ -4,6 +4,7 @@
 
 #include "camera.hpp"
 #include "colours.hpp"
+#include "cracks.hpp"
 
 namespace breccia::pictures {
 
@@ -34,6 +35,7 @@ struct SceneFixed {
   std::optional<double> slab;  ///< share of the specimen that cracks are shown of; 1: all of it
   std::optional<Viewpoint> view;
   std::optional<Scale> scale;
+  std::optional<CrackScale> crack_scale;
 };
 /// Fixes them without drawing.
 void fix_scene(const SceneFrame& frame, const SceneWish& wish, const Sheet& sheet, SceneFixed& fixed);

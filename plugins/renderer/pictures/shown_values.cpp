@@ -55,7 +55,7 @@ Values displacement_across(const SceneFrame& frame) {
 Values colour_values(const SceneFrame& frame, const SceneWish& wish) {
   vtkPointData* data = frame.particles->GetPointData();
   if (wish.across) return displacement_across(frame);
-  if (!wish.field.empty()) return field_of(data, wish.field);
+  if (!wish.field.empty()) return field_of(data, wish.field, frame.setup.dimension);
   if (data->HasArray("damage")) {
     Values damage = field_of(data, "damage");
     if (!data->HasArray("displacement") ||

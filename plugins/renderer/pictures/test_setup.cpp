@@ -74,6 +74,10 @@ std::vector<Vec3> vectors(vtkPolyData* particles, const char* name) {
   return all;
 }
 
+bool acts(const std::vector<Vec3>& force) {
+  return std::any_of(force.begin(), force.end(), [](const Vec3& f) { return f.norm() > 0; });
+}
+
 /// Loaded particles that lie next to each other along the axis and are pushed the same way make one load.
 std::vector<DeadLoad> loads_on(const Spheres& spheres, const std::vector<Vec3>& force, const SpecimenShape& specimen) {
   std::vector<std::size_t> order;
@@ -155,6 +159,19 @@ Spheres spheres_of(vtkPolyData* particles) {
   return s;
 }
 
+std::vector<std::uint8_t> held_of(vtkPolyData* particles) {
+  std::vector<std::uint8_t> held(std::size_t(particles->GetNumberOfPoints()), 0);
+  if (vtkDataArray* array = particles->GetPointData()->GetArray("held"))
+    for (std::size_t p = 0; p < std::min(held.size(), std::size_t(array->GetNumberOfTuples())); ++p)
+      held[p] = array->GetComponent(vtkIdType(p), 0) != 0;
+  return held;
+}
+
+bool was_released(vtkPolyData* particles) {
+  const std::vector<Vec3> force = vectors(particles, "applied_force");
+  return !force.empty() && !acts(force);
+}
+
 TestSetup setup_of(vtkPolyData* particles, vtkPolyData* bonds, vtkPolyData* walls) {
   TestSetup s;
   const FrameFacts facts = particles ? facts_of(particles) : bonds ? facts_of(bonds) : FrameFacts{};
@@ -182,12 +199,9 @@ TestSetup setup_of(vtkPolyData* particles, vtkPolyData* bonds, vtkPolyData* wall
   }
   if (!particles) return s;
   const Spheres spheres = spheres_of(particles);
-  std::vector<std::uint8_t> held(spheres.size(), 0);
-  if (vtkDataArray* array = particles->GetPointData()->GetArray("held"))
-    for (std::size_t p = 0; p < std::min(held.size(), std::size_t(array->GetNumberOfTuples())); ++p)
-      held[p] = array->GetComponent(vtkIdType(p), 0) != 0;
+  std::vector<std::uint8_t> held = held_of(particles);
   const auto force = vectors(particles, "applied_force");
-  if (force.size() == spheres.size() && std::any_of(force.begin(), force.end(), [](auto& f) { return f.norm() > 0; })) {
+  if (force.size() == spheres.size() && acts(force)) {
     see_dead_loads(s, spheres, force);
     s.held = std::move(held);
   } else {

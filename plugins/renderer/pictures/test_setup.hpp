@@ -38,6 +38,11 @@ struct TestSetup {
   }
 };
 
+/// Whether each particle is held.
+std::vector<std::uint8_t> held_of(vtkPolyData* particles);
+/// Whether dead loads acted on particles before, and do no more.
+bool was_released(vtkPolyData* particles);
+
 /// Each of the frames may be missing.
 TestSetup setup_of(vtkPolyData* particles, vtkPolyData* bonds, vtkPolyData* walls);
 

@@ -31,8 +31,10 @@ class NewPluginName final : public breccia::Protocol {
     area_ = shape.cross_section_area;
     platens_.setup(control, config_, shape.base, shape.base + height_ * shape.axis);
     modulus_ = control.bond_stiffness().modulus;
-    stress_column_ = recorder.add({"platen_stress", "Pa", "mean of both platens' forces over the cross-section"});
-    strain_column_ = recorder.add({"platen_strain", "1", "approach of the platens over the first height"});
+    stress_column_ = recorder.add(
+        {"platen_stress", "Pa", "mean of both platens' forces over the cross-section", breccia::role::machine_stress});
+    strain_column_ = recorder.add(
+        {"platen_strain", "1", "approach of the platens over the first height", breccia::role::machine_strain});
   }
 
   /// Before the forces of each step: leads the load. Cheap.

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/on_ranks.hpp"
+
+#include "run/load_workflow.hpp"
+#include "run/packing_cache.hpp"
+#include "run/run_to_results.hpp"
+
+namespace breccia {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of a rank behind the first.
+class SilentRank final : public RunMonitor {
+ public:
+  explicit SilentRank(const Terminal& asked) : asked_(asked) {}
+  void info(std::string_view) override {}
+  void warn(std::string_view) override {}
+  void progress(std::string_view, double) override {}
+  void status(const RunStatus&) override {}
+  bool cancelled() const override { return asked_.cancelled(); }
+  int threads() const override { return asked_.threads(); }
+
+ private:
+  const Terminal& asked_;
+};
+
+/// The first rank's text, on all of them.
+std::string told(RankLink& link, const std::string& text) {
+  const std::vector<std::size_t> sizes = link.numbers_of_all(link.first() ? text.size() : 0);
+  std::string all(sizes.front(), ' ');
+  if (!all.empty()) link.gather(text.data(), sizes, 1, all.data(), true);
+  return all;
+}
+
+ResumePoint told_resume_point(RankLink& link) {
+  ResumePoint point{told(link, {}), nullptr, {}};
+  point.checkpoint = read_checkpoint(told(link, {}));
+  (*point.checkpoint)("about", point.about);
+  link.as_first_says(true);
+  return point;
+}
+
+}  // namespace
+
+void tell_of_resume(RankLink& link, const ResumePoint& from) {
+  told(link, from.resolved.string());
+  told(link, from.checkpoint->file().string());
+  link.as_first_says(true);
+}
+
+RunOutcome run_beside(const RunRequest& a, Registry& registry, Terminal& terminal) {
+  std::optional<ResumePoint> resume;
+  if (!a.resume.empty()) resume = told_resume_point(*a.link);
+  const LoadedWorkflow loaded =
+      load_workflow(resume ? resume->resolved : a.file, all_overrides(a), registry, a.variant);
+  SilentRank monitor(terminal);
+  RunOptions options;
+  options.packing_cache = default_cache_folder();
+  options.resume = resume ? &*resume : nullptr;
+  options.accept_changed_plugins = a.accept_changed_plugins;
+  options.link = a.link;
+  return run_workflow(loaded, registry, options, monitor);
+}
+
+}  // namespace breccia

@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Ranks against threads: time of a step and memory of each process.
+
+    tests/bench/ranks.py --particles 100000 --ways 1x1 1x2 2x1      # ranks x threads, in turn, least of three
+    tests/bench/ranks.py --particles 10000000 --ways 2x1 --strain 2e-6 --repeats 1
+
+One cylinder of spheres on a lattice is pressed between platens; rows of curves are few, so that bringing the specimen
+together does not count. Run it on a machine that does nothing else.
+"""
+import argparse
+import json
+import os
+import pathlib
+import resource
+import subprocess
+import tempfile
+
+WORKFLOW = """packing:
+  {{type: regular, lattice: fcc, container: {{shape: box, size: [{edge} mm, {edge} mm, {edge} mm]}}, radius: 1 mm}}
+material: {{density: 2650 kg/m3}}
+bonding: {{tolerance: 0.01}}
+damping: {{translational: 0.3, rotational: 0.3}}
+contact_law: {{type: elastic_brittle, bond_modulus: 10 GPa, stiffness_ratio: 3.7, tensile_strength: 40 MPa,
+  shear_strength: 40 MPa, friction: 0.5}}
+protocol: {{type: uniaxial_compression, platen_velocity: 0.1 m/s, platen_stiffness: 15 MN/m, max_strain: {strain}}}
+sampling: {{every_steps: 1000000}}
+checkpoints: {{keep: 0}}
+outputs: []
+renderers: []
+"""
+
+
+def run(program, workflow, folder, ranks, threads):
+    """Nanoseconds a bond and step; steps; particles; memory of the largest process [GiB]: of one run only, since a
+    child that ends with it starts it."""
+    command = [program, "run", str(workflow), "--output", str(folder), "--overwrite", "--threads", str(threads)]
+    if ranks > 1:
+        command = ["mpirun", "--oversubscribe", "-n", str(ranks)] + command
+    child = os.fork()
+    if child == 0:
+        done = subprocess.run(command, capture_output=True, text=True)
+        largest = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 2**20
+        told = {"GiB": largest, "code": done.returncode, "text": done.stderr}
+        (folder.parent / "memory.json").write_text(json.dumps(told))
+        os._exit(0)
+    os.waitpid(child, 0)
+    told = json.loads((folder.parent / "memory.json").read_text())
+    if told["code"] != 0:
+        raise SystemExit(told["text"])
+    summary = json.loads((folder / "summary.json").read_text())
+    return summary["ns_per_bond_step"], summary["steps"], summary["particles"], told["GiB"]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", default="build/bin/breccia")
+    parser.add_argument("--particles", type=float, default=1e5)
+    parser.add_argument("--ways", nargs="+", default=["1x1", "1x2", "2x1"], metavar="RANKSxTHREADS")
+    parser.add_argument("--strain", default="1e-5")
+    parser.add_argument("--repeats", type=int, default=3)
+    a = parser.parse_args()
+    edge = (a.particles * 4 * 2**0.5) ** (1 / 3)  # of a box with so many spheres of 1 mm, packed as closely as can be
+    with tempfile.TemporaryDirectory() as name:
+        place = pathlib.Path(name)
+        (place / "w.yaml").write_text(WORKFLOW.format(edge=f"{edge:.3f}", strain=a.strain))
+        best = {}
+        for _ in range(a.repeats):
+            for way in a.ways:
+                ranks, threads = map(int, way.split("x"))
+                found = run(a.program, place / "w.yaml", place / "results", ranks, threads)
+                best[way] = min(best.get(way, found), found)
+        print("ranks x threads | ns a bond and step | steps | particles | GiB of the largest process")
+        for way, (ns, steps, particles, memory) in best.items():
+            print(f"{way} | {ns:.2f} | {steps} | {particles} | {memory:.2f}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `mpirun -n N breccia run`: the files of one rank, byte for byte, for every plugin that is shipped, and on with
+// another number of ranks from a checkpoint.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <regex>
+
+#include "cli/every_plugin.hpp"
+
+namespace breccia::testing {
+namespace {
+
+/// As the launcher starts it beside other work, and as root in a container.
+std::string on(int ranks) {
+  return "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe -n " + std::to_string(ranks);
+}
+
+/// The same workflows on specimens that make several blocks of particles, with a row now and then: the first rank sees
+/// the whole only there.
+std::string larger(std::string text) {
+  const std::pair<const char*, const char*> sizes[] = {
+      {"size: \\[12 mm, 18 mm\\]", "size: [32 mm, 44 mm]"},
+      {"diameter: 14 mm", "diameter: 40 mm"},
+      {"size: \\[10 mm, 10 mm, 12 mm\\]", "size: [18 mm, 18 mm, 20 mm]"},
+      {"every_steps: 40,", "every_steps: 60,"},
+      {"every_steps: 7\\}", "every_steps: 20}"},
+      {"renderers: [^\n]*\n", ""}};
+  for (const auto& [from, to] : sizes) text = std::regex_replace(text, std::regex(from), to);
+  return text;
+}
+
+class Ranks : public SmallSpecimen {
+ protected:
+  /// 8 x 8 x 14 tangent spheres in sheared layers.
+  void write_many_spheres() const {
+    std::ostringstream csv;
+    csv << "x,y,z,radius\n";
+    for (int k = 0; k < 14; ++k)
+      for (int j = 0; j < 8; ++j)
+        for (int i = 0; i < 8; ++i)
+          csv << 2 * i + 1 + 0.2 * ((i * 7 + j * 3 + k) % 5) << ',' << 2 * j + 1 << ',' << 2 * k + 1 << ",1\n";
+    write("small.csv", csv.str());
+  }
+};
+
+class RanksOfEach : public Ranks, public ::testing::WithParamInterface<Case> {};
+
+TEST_P(RanksOfEach, WriteTheFilesOfOne) {
+  write_many_spheres();
+  write("w.yaml", larger(GetParam().text));
+  const Result one = call("run w.yaml --output one --threads 1");
+  ASSERT_EQ(one.code, 0) << one.text;
+  const auto checkpoints = checkpoints_of(folder_ / "one");
+  ASSERT_GE(checkpoints.size(), 2u) << one.text;
+  const Result many = call("run w.yaml --output many --threads 1", on(3));
+  ASSERT_EQ(many.code, 0) << many.text;
+  expect_same_results(folder_ / "one", folder_ / "many");
+  // What three have written two go on with, and change ranks whenever they can.
+  fs::copy(folder_ / "many", folder_ / "on", fs::copy_options::recursive);
+  for (std::size_t k = 1; k < checkpoints.size(); ++k)
+    fs::remove(folder_ / "on/checkpoints" / checkpoints[k].filename());
+  const Result further = call("run --resume on --threads 2", "BRECCIA_IMBALANCE=-1 " + on(2));
+  ASSERT_EQ(further.code, 0) << further.text;
+  EXPECT_TRUE(has(further.text, "goes on from")) << further.text;
+  expect_same_results(folder_ / "one", folder_ / "on");
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, RanksOfEach, ::testing::ValuesIn(cases()),
+                         [](const auto& its) { return its.param.name; });
+
+const std::string column = std::string(spheres) + brittle +
+                           "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, platen_stiffness: 15 MN/m, "
+                           "max_strain: 0.6 %}\n";
+
+TEST_F(Ranks, AMistakeIsSaidOnce) {
+  write_many_spheres();
+  write("w.yaml", column + "sampling: {evry_steps: 7}\n");
+  const Result r = call("run w.yaml --output one", on(3));
+  EXPECT_EQ(r.code, 2);
+  const std::size_t at = r.text.find("evry_steps");
+  EXPECT_NE(at, std::string::npos) << r.text;
+  EXPECT_EQ(r.text.find("evry_steps", r.text.find('\n', at)), std::string::npos) << r.text;
+}
+
+TEST_F(Ranks, MoreOfThemThanBlocksAreRefused) {
+  write_small();
+  const Result r = call("run small.yaml --output one", on(2));
+  EXPECT_EQ(r.code, 2);
+  EXPECT_TRUE(has(r.text, "128 particles make 1 block of 256")) << r.text;
+}
+
+/// What only the first rank meets ends all of them, with its message.
+TEST_F(Ranks, AFolderInTheWayEndsAll) {
+  write_many_spheres();
+  write("w.yaml", column);
+  fs::create_directory(folder_ / "one");
+  write("one/mine.txt", "x");
+  const Result r = call("run w.yaml --output one", on(2));
+  EXPECT_EQ(r.code, 2) << r.text;
+  EXPECT_TRUE(has(r.text, "one")) << r.text;
+}
+
+/// A machine that fails takes its rank with it: the job ends, and goes on elsewhere from the last checkpoint.
+TEST_F(Ranks, OneThatIsKilledEndsTheJobAndAnotherNumberGoesOn) {
+  write_many_spheres();
+  write("w.yaml",
+        replaced(column, "1 m/s", "0.1 m/s") + "checkpoints: {every_steps: 150}\nsampling: {every_steps: 50}\n");
+  const Result one = call("run w.yaml --output one --threads 1");
+  ASSERT_EQ(one.code, 0) << one.text;
+  // Each rank is behind a shell that knows its number: the second kills itself once there is a checkpoint.
+  write("killed.sh",
+        "#!/bin/sh\n\"$@\" &\nchild=$!\nif [ \"$OMPI_COMM_WORLD_RANK\" = 1 ]; then\n"
+        "  until ls many/checkpoints many/unfinished/checkpoints 2>/dev/null | grep -q h5; do sleep 0.02; done\n"
+        "  kill -9 $child\nfi\nwait $child\n");
+  fs::permissions(folder_ / "killed.sh", fs::perms::owner_all);
+  const Result killed = call("run w.yaml --output many --threads 1", on(3) + " ./killed.sh");
+  EXPECT_NE(killed.code, 0) << "it came to its end before it was killed";
+  EXPECT_TRUE(has(killed.text, "exited") || has(killed.text, "abort")) << killed.text;
+  const Result further = call("run --resume many --threads 1", on(2));
+  ASSERT_EQ(further.code, 0) << further.text;
+  expect_same_results(folder_ / "one", folder_ / "many");
+}
+
+}  // namespace
+}  // namespace breccia::testing
