@@ -62,7 +62,8 @@ int cli::with_command_line(const std::function<int(CLI::App&, const int&)>& use)
   std::string plugin, format = "text";
   verb = app.add_subcommand("describe", "Describe a plugin and its parameters");
   verb->add_option("TOPIC", plugin,
-                   "KIND/NAME, or NAME alone; a KIND for its plugins; workflow, sweep or calibration for the keys of these files")
+                   "KIND/NAME, or NAME alone; a KIND for its plugins; workflow, sweep or calibration for the keys of "
+                   "these files")
       ->required();
   verb->add_option("--format", format, "text, markdown or json")->check(CLI::IsMember({"text", "markdown", "json"}));
   verb->callback([&] { code = cli::describe(plugin, format); });
@@ -202,8 +203,10 @@ int cli::with_command_line(const std::function<int(CLI::App&, const int&)>& use)
   verb = app.add_subcommand("calibrate", "Find the parameters with which workflows give what was measured");
   verb->footer(
       "Proposes points by what earlier ones gave, runs each into a folder of its own below cases/, several at a time,\n"
-      "and tells the best parameters with their intervals. A run that has finished is not run again. Elsewhere (a Slurm\n"
-      "array): --cases lists the runs, those of the next batch among them, --case runs one, --collect tells what is known.\n"
+      "and tells the best parameters with their intervals. A run that has finished is not run again. Elsewhere (a "
+      "Slurm\n"
+      "array): --cases lists the runs, those of the next batch among them, --case runs one, --collect tells what is "
+      "known.\n"
       "Keys of the file: breccia describe calibration.\n"
       "Exit code: 0 it has come to its end, 1 it has not, 2 something is not in order, 130 stopped on request.");
   verb->add_option("CALIBRATION", calibrate.file, "the calibration (YAML)")->required();
@@ -218,7 +221,8 @@ int cli::with_command_line(const std::function<int(CLI::App&, const int&)>& use)
   auto* retry = verb->add_flag("--retry-failed", calibrate.retry_failed, "run those again that have failed before");
   cases = verb->add_flag("--cases", calibrate.cases, "list the runs (CSV) and make none");
   one = verb->add_option("--case", calibrate.one, "make only this run: its number")->check(CLI::Range(1, 1000000));
-  collect = verb->add_flag("--collect", calibrate.collect, "make no run: tell what is known from those that have finished");
+  collect =
+      verb->add_flag("--collect", calibrate.collect, "make no run: tell what is known from those that have finished");
   auto* trial = verb->add_option("--trial", calibrate.trial)->group("");
   expect = verb->add_option("--expect", calibrate.expect)->group("");
   parent = verb->add_option("--parent", calibrate.parent)->group("");
@@ -240,7 +244,8 @@ int cli::with_command_line(const std::function<int(CLI::App&, const int&)>& use)
   verb =
       app.add_subcommand("new", "Begin a plugin of your own: a small project that builds, with tests and a workflow");
   verb->footer("Example: breccia new contact_law my_law");
-  verb->add_option("KIND", fresh.kind, "packing, contact_law, protocol, postprocessor, output, renderer or search")->required();
+  verb->add_option("KIND", fresh.kind, "packing, contact_law, protocol, postprocessor, output, renderer or search")
+      ->required();
   verb->add_option("NAME", fresh.name, "what workflows call it: my_law")->required();
   verb->add_option("--dir", fresh.folder, "folder of the project, new or empty; default: NAME")->type_name("FOLDER");
   verb->callback([&] { code = new_plugin(fresh); });

@@ -19,7 +19,8 @@ int validate(const std::vector<std::filesystem::path>& files, const std::vector<
     try {
       if (is_calibration(follow_bases(read_text(file), file.string()))) {
         if (!variant.empty())
-          throw UserError(file.string() + ": is a calibration, which says itself which variants it runs: leave out --variant");
+          throw UserError(file.string() +
+                          ": is a calibration, which says itself which variants it runs: leave out --variant");
         const CalibrationTrials trials(file);
         for (const std::string& doubt : trials.warnings()) fmt::print(stderr, "warning: {}\n", printable(doubt));
         fmt::print("{}: ok, a calibration of at most {} runs\n", printable(file.string()),

@@ -136,7 +136,8 @@ std::string si_unit_of(std::string_view written) {
   const auto found = units::find_unit(unit);
   if (!found) throw UserError(in_ticks(unit) + " is not a known unit");
   const units::Family* family = units::family_of(found->dimension);
-  if (!family) throw UserError(in_ticks(unit) + " measures nothing that has a name here; write the value in another unit");
+  if (!family)
+    throw UserError(in_ticks(unit) + " measures nothing that has a name here; write the value in another unit");
   return family->si;
 }
 

@@ -28,9 +28,9 @@ Quantity read_quantity(std::string_view text, const std::string& si_unit);
 /// The SI value alone.
 double parse_quantity(std::string_view text, const std::string& si_unit);
 
-/// The SI unit of the dimension in which `text` is written ("Pa" for "120 MPa", "1" for a pure number or a share), where
-/// nothing says which is needed. UserError when it is no number, or when its unit is unknown or measures nothing that has
-/// a common name.
+/// The SI unit of the dimension in which `text` is written ("Pa" for "120 MPa", "1" for a pure number or a share),
+/// where nothing says which is needed. UserError when it is no number, or when its unit is unknown or measures nothing
+/// that has a common name.
 std::string si_unit_of(std::string_view text);
 
 /// Shortest text that `parse_quantity` turns into the same bits: "0.023 m"; "0.5" for a pure number.

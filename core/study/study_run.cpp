@@ -40,9 +40,8 @@ std::map<std::string, std::string> run_open(const StudyRequest& a, const std::ve
     LocalCase one{c->the.folder,
                   case_folder(home.path(), c->the),
                   c->hash,
-                  {"sweep", a.study.string(), "--case", std::to_string(c->the.number), "--output",
-                   home.path().string(), "--threads", std::to_string(a.threads), "--expect", c->hash, "--parent",
-                   std::to_string(getpid())}};
+                  {"sweep", a.study.string(), "--case", std::to_string(c->the.number), "--output", home.path().string(),
+                   "--threads", std::to_string(a.threads), "--expect", c->hash, "--parent", std::to_string(getpid())}};
     if (a.overwrite) one.arguments.push_back("--overwrite");
     all.push_back(std::move(one));
   }

@@ -28,7 +28,8 @@ class New : public Program {
 };
 
 TEST_F(New, EveryKindIsACompleteProjectWithTheNamesPutIn) {
-  for (const std::string kind : {"packing", "contact_law", "protocol", "postprocessor", "output", "renderer", "search"}) {
+  for (const std::string kind :
+       {"packing", "contact_law", "protocol", "postprocessor", "output", "renderer", "search"}) {
     const Result r = call("new " + kind + " of_mine2 --dir " + kind);
     ASSERT_EQ(r.code, 0) << r.text;
     const fs::path project = folder_ / kind;
