@@ -120,7 +120,7 @@ TEST_F(Refusal, WrongSizesOfSharedTypes) {
 TEST_F(Refusal, UnknownKind) {
   EXPECT_EQ(of(with_text("contact_law", "magic")),
             "plugin FILE is of the kind `magic`, which this program does not know; it knows: packing, "
-            "contact_law, protocol, postprocessor, output, renderer");
+            "contact_law, protocol, postprocessor, output, renderer, search");
 }
 
 TEST_F(Refusal, NoNameAndNoFactory) {
