@@ -25,10 +25,7 @@ namespace {
 class Walk {
  public:
   Walk(const CalibrationTrials& trials, const fs::path& results)
-      : trials_(trials),
-        evidence_(trials, results),
-        search_(trials.search()),
-        course_(trials.calibration(), *search_) {}
+      : evidence_(trials, results), search_(trials.search()), course_(trials.calibration(), *search_) {}
 
   /// The next batch as it stands; false at the end.
   bool propose(Host& host) {
@@ -63,7 +60,6 @@ class Walk {
     for (const CoursePoint& p : batch_) runs += p.trials.size();
     return records_.size() - runs;
   }
-  const CalibrationTrials& trials_;
   Evidence evidence_;
   std::unique_ptr<Search> search_;
   Course course_;

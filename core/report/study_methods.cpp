@@ -53,10 +53,11 @@ std::string achieved_text(const StudyFiles& study, const char* key, const char* 
     if (study.values[k].key != key) continue;
     const std::vector<double> numbers = study.numbers(k);
     if (numbers.empty()) return {};
-    const auto [least, most] = std::minmax_element(numbers.begin(), numbers.end());
-    const auto shown = [&](double v) { return quantity(v, study.values[k].unit, *most).text(); };
-    if (shown(*least) == shown(*most)) return what + std::string(" of ") + shown(*least);
-    return what + std::string(" from ") + shown(*least) + " to " + shown(*most);
+    const double least = *std::min_element(numbers.begin(), numbers.end()),
+                 most = *std::max_element(numbers.begin(), numbers.end());
+    const auto shown = [&](double v) { return quantity(v, study.values[k].unit, most).text(); };
+    if (shown(least) == shown(most)) return what + std::string(" of ") + shown(least);
+    return what + std::string(" from ") + shown(least) + " to " + shown(most);
   }
   return {};
 }
