@@ -283,8 +283,7 @@ TEST_F(Calibrate, MistakesHaveOneLineEach) {
       "well");
   refused("contact_law.bond_modulus", "seed",
           ":6:19: parameters.modulus: the seed is not sought: it tells the packings apart");
-  refused("targets:", "targts:",
-          ":2:1: targts: is not a known parameter; did you mean `targets`?");
+  refused("targets:", "targts:", ":2:1: targts: is not a known parameter; did you mean `targets`?");
   refused(
       "runs: 12", "runs: 6",
       ":8:9: budget: 6 runs are too few for 2 parameters in 1 workflow: at least 8 are needed (3 at the start, 1 for "
