@@ -53,7 +53,7 @@ double Simulation::fastest_boundary() {
   for (std::size_t a = 0; a < s.particles.size(); ++a)
     for (int k = 0; k < 3; ++k)
       if (s.particles.held[a] >> k & 1) fastest = std::max(fastest, std::abs(s.particles.velocity()[a][k]));
-  return link() ? link()->largest_of(fastest) : fastest;
+  return largest_of_ranks(link(), fastest);
 }
 
 BondStiffness Simulation::bond_stiffness() {

@@ -126,7 +126,7 @@ double largest_against(const State& s, const std::vector<Vec3>& from, const Cell
   double most = 0;
   for (std::size_t k = p.first_own(); k < p.end_own(); ++k)
     most = std::max(most, (x[k] - growth * from[k] - mean).squaredNorm());
-  return std::sqrt(link ? link->largest_of(most) : most);
+  return std::sqrt(largest_of_ranks(link, most));
 }
 
 }  // namespace
@@ -252,7 +252,7 @@ double largest_displacement(const State& s, const std::vector<Vec3>& from, const
 #pragma omp parallel for schedule(static) num_threads(threads) reduction(max : most)
   for (std::size_t k = s.particles.first_own(); k < s.particles.end_own(); ++k)
     most = std::max(most, (s.particles.position()[k] - from[k]).squaredNorm());
-  return std::sqrt(link ? link->largest_of(most) : most);
+  return std::sqrt(largest_of_ranks(link, most));
 }
 
 }  // namespace breccia

@@ -67,4 +67,8 @@ class RankLink {
   bool as_first_says(bool here) { return any(first() && here); }
 };
 
+// Where there is but one rank (null) its own answer is that of all.
+inline bool any_rank(RankLink* link, bool here) { return link ? link->any(here) : here; }
+inline double largest_of_ranks(RankLink* link, double number) { return link ? link->largest_of(number) : number; }
+
 }  // namespace breccia

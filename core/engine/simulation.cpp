@@ -66,7 +66,7 @@ void Simulation::prepare() {
     look();
   }
   mass_pending_ = false;
-  if (!std::isfinite(critical_) && (link() ? link()->any(state_.bonds.size() > 0) : state_.bonds.size() > 0))
+  if (!std::isfinite(critical_) && any_rank(link(), state_.bonds.size() > 0))
     throw UserError("contact law " + laws_.names() + " states no stiffness for any of the " +
                     std::to_string(state_.bonds.size()) + " bonds: there is none to set a time step");
   if (!std::isfinite(critical_))

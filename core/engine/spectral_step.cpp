@@ -204,7 +204,7 @@ SpectralStep::Result SpectralStep::look(State& s, const Interactions& law, const
                                         double step, RankLink* link) {
   remember(s, reach);
   const Result unchanged{step, 0, 0};
-  if (link ? !link->any(!changed.empty()) : changed.empty()) return unchanged;
+  if (!any_rank(link, !changed.empty())) return unchanged;
   const StiffnessOperator system(s, law, in, reach, threads, link);
   const Summing sum_over(s.particles, threads, link);
   const bool damped = system.damped();

@@ -31,8 +31,8 @@ StiffnessOperator::StiffnessOperator(State& s, const Interactions& law, const In
       moments = moments || stiffness[q].bending > 0 || stiffness[q].torsion > 0;
     }
   }
-  damped_ = link ? link->any(damped) : damped;
-  moments_ = link ? link->any(moments) : moments;
+  damped_ = any_rank(link, damped);
+  moments_ = any_rank(link, moments);
   start_.assign(n + 1, 0);
   for (std::size_t q = 0; q < pairs; ++q)
     if (counts[q]) {

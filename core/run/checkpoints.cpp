@@ -42,17 +42,18 @@ double Checkpoints::strain() {
   return strain_;
 }
 
-bool Checkpoints::due(const RunProgress& now) {
+bool Checkpoints::is_time(const RunProgress& now) {
   if (config_.every_steps && now.step - from_.step >= std::uint64_t(*config_.every_steps)) return true;
   if (config_.every_strain && std::abs(strain() - from_strain_) >= *config_.every_strain) return true;
   if (config_.every_simulated && now.time - from_.time >= *config_.every_simulated) return true;
   return std::chrono::duration<double>(Clock::now() - last_).count() >= config_.every;
 }
 
-void Checkpoints::at(const RunProgress& now, bool stop) {
-  const bool wanted = config_.keep > 0 && !impossible_ && now.step > 0 && now.step != from_.step && (stop || due(now));
-  if (before) before(wanted);
-  if (!wanted) return;
+bool Checkpoints::due(const RunProgress& now, bool stop) {
+  return config_.keep > 0 && !impossible_ && now.step > 0 && now.step != from_.step && (stop || is_time(now));
+}
+
+void Checkpoints::write(const RunProgress& now) {
   try {
     save(now);
     failing_ = false;

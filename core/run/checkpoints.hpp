@@ -24,17 +24,15 @@ class Checkpoints {
   Checkpoints(const CheckpointsConfig& config, const std::filesystem::path& folder, const Curves& curves,
               std::function<std::vector<std::string>(Archive&)> write, Host& host);
 
-  /// Before each step: writes one if it is time. `stop`: it is the last moment.
-  void at(const RunProgress& now, bool stop);
-  /// Called before each step with whether a checkpoint is about to be written: others may have to bring what they have
-  /// of it.
-  std::function<void(bool)> before = {};
+  /// Before each step: whether it is time for one. `stop`: it is the last moment.
+  bool due(const RunProgress& now, bool stop);
+  void write(const RunProgress& now);
   /// The test is over, or the run went on from here.
   void start_from(const RunProgress& now);
 
  private:
   using Clock = std::chrono::steady_clock;
-  bool due(const RunProgress& now);
+  bool is_time(const RunProgress& now);
   double strain();
   void save(const RunProgress& now);
   void missed(const RunProgress& now, const std::string& why);

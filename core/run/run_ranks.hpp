@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// What a run agrees on with the same run on other ranks; alone, it answers itself.
+#pragma once
+
+#include <exception>
+#include <string>
+
+#include "breccia/error.hpp"
+#include "engine/rank_link.hpp"
+
+namespace breccia {
+
+class RunRanks {
+ public:
+  explicit RunRanks(RankLink* link) : link_(link) {}
+  RankLink* link() const { return link_; }
+  bool several() const { return link_ != nullptr; }
+  bool first() const { return !link_ || link_->first(); }  ///< who has files and something to say
+  bool as_first_says(bool here) const { return any_rank(link_, first() && here); }
+  /// Of each number the largest of all ranks.
+  void largest(std::span<double> numbers) const {
+    if (link_) link_->largest(numbers);
+  }
+  /// Whether other ranks do not end as this one does; they cannot be asked to any more.
+  bool alone() const { return link_ && !link_->all_end(); }
+
+  /// What only the first rank may fail at ends the loop of all of them. `failure`: what has failed before.
+  template <class F>
+  void together(F&& f, std::string& failure) const {
+    std::exception_ptr failed;
+    try {
+      f();
+    } catch (...) { failed = std::current_exception(); }
+    double thrown_said[2] = {failed ? 1.0 : 0.0, failure.empty() ? 0.0 : 1.0};
+    largest(thrown_said);
+    if (failed) std::rethrow_exception(failed);
+    constexpr const char* other = "another rank could not go on";
+    if (thrown_said[0] > 0) throw UserError(other);
+    if (thrown_said[1] > 0 && failure.empty()) failure = other;
+  }
+
+ private:
+  RankLink* link_;
+};
+
+}  // namespace breccia
