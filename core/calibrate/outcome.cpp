@@ -202,11 +202,11 @@ class Finder {
     const bool idle = std::all_of(p.of_target.begin(), p.of_target.end(),
                                   [](const SearchSensitivity& s) { return s.total < of_no_effect; });
     if (idle) {
-      out_.warnings.push_back(
-          fmt::format("Nothing depends on `{}`: it makes less than {:.0f} % of the variance of every target over its "
-                      "range. Fix it, "
-                      "or add a target that depends on it.",
-                      name, 100 * of_no_effect));
+      out_.warnings.push_back(fmt::format(
+          "Hardly anything depends on `{}`: it makes less than {:.0f} % of the variance of every target over its "
+          "range. Fix it, "
+          "or add a target that depends on it.",
+          name, 100 * of_no_effect));
       return;  // where it lies within its range means nothing then
     }
     if (p.share < at_bound || p.share > 1 - at_bound)
