@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A validation report: Markdown for people, the same numbers as JSON, and which of its pictures the tree has."""
+import collections
+import dataclasses
 import fnmatch
 import json
 import math
@@ -50,6 +52,11 @@ class Report:
         targets = ["## Targets not met", ""] + ([f"- {m}" for m in self.missed] or ["None of those that were measured."]) + [""]
         if runner.missing:
             targets += ["Not run, and left out below: " + ", ".join(f"`{m}`" for m in runner.missing) + ".", ""]
+        earlier = [c for cases in runner.studies.values() for c in cases if c.earlier]
+        if earlier:
+            programs = collections.Counter(c.program for c in earlier)
+            targets += [f"Of the {sum(map(len, runner.studies.values()))} cases of the studies these are of earlier sittings, known again by the hash of their inputs: "
+                        + ", ".join(f"{n} by version {p}" for p, n in sorted(programs.items())) + ".", ""]
         self.lines[head:head] = targets
         text = "\n".join(self.lines).rstrip() + "\n"
         file = runner.folder / f"{paper}.md"
@@ -69,7 +76,7 @@ class Report:
             found = {key: q for key, q in result.summary.quantities().items() if "." not in key}
             units |= {key: q.unit for key, q in found.items() if q.unit != "1"}
             runs[case.name] = {"workflow": case.workflow, "variant": case.variant, "settings": list(case.settings), "values": {key: q.value for key, q in found.items()}}
-        studies = {name: [{"workflow": c.workflow, "inputs": dict(c.inputs), "values": dict(c.values)} for c in cases] for name, cases in runner.studies.items()}
+        studies = {name: [{k: v for k, v in dataclasses.asdict(c).items() if k != "earlier"} for c in cases] for name, cases in runner.studies.items()}
         return {"format": 1, "paper": paper, "made_by": f"tools/validate {paper}" + (f" --variant {runner.variant}" if runner.variant else ""),
                 "comparisons": self.comparisons, "targets_not_met": self.missed, "not_run": runner.missing, "tables": self.tables,
                 "runs": runs, "units": units, "studies": studies}

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs workflows and studies in parallel; what they leave is read by the package `breccia`."""
 import concurrent.futures
+import csv
+import io
+import json
 import pathlib
 import shutil
 import statistics
 import subprocess
 import sys
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import breccia
 
@@ -55,11 +58,33 @@ class Result(breccia.Run):
         return (self.place / "particles.pvd").exists()
 
 
+@dataclass(frozen=True)
+class StudyCase:
+    """A finished case of a study as a report keeps it: its numbers, without its folder."""
+    workflow: str
+    inputs: dict
+    values: dict
+    inputs_sha256: str            # of all that the program was given: a case with this is the same case
+    program: str                  # version and commit
+    earlier: bool = False         # run for an earlier report
+
+
+def recorded_in(file):
+    """The cases of studies in the JSON of an earlier report, by the hash of their inputs."""
+    try:
+        studies = json.loads(file.read_text())["studies"]
+        read = [StudyCase(**c, earlier=True) for cases in studies.values() for c in cases]
+    except (OSError, ValueError, KeyError, TypeError, AttributeError) as fault:
+        sys.exit(f"{file}: is no data of a report that holds studies, each case with the hash of its inputs: {fault!r}")
+    return {c.inputs_sha256: replace(c, values={k: float("nan") if v is None else v for k, v in c.values.items()}) for c in read}
+
+
 class Runner:
-    def __init__(self, root, folder, jobs, keep, only="", report=False, variant="", program=None):
+    def __init__(self, root, folder, jobs, keep, only="", report=False, variant="", program=None, record=None):
         self.root, self.folder, self.jobs, self.keep = root, folder, jobs, keep
         self.only, self.report, self.variant = only, report, variant
         self.results, self.studies = {}, {}   # all that was read: by case, by the name of the study's folder
+        self.recorded = recorded_in(record) if record else {}   # cases of studies that are not run again
         self.missing = []             # names of the cases that were neither run nor there
         self.program = program or root / "build/bin/breccia"
         if not self.program.exists():
@@ -98,9 +123,10 @@ class Runner:
         return [results[c] for c in cases if c in results]
 
     def sweep(self, study, expected, label="", variant="", fixed=()):
-        """The finished cases of a study below workflows/ (without .yaml), as `breccia.Study` has them. Without --keep it is
-        run anew, with it (and where it was stopped) it goes on; `expected` is its number of cases. With a `label`: of the
-        workflows' `variant` and with values `fixed` ((path, value), ...) beside those of the study."""
+        """The finished cases of a study below workflows/ (without .yaml). Without --keep it is run anew, with it (and where it
+        was stopped) it goes on; a case whose inputs are those of one in the record is not run. `expected` is its number of
+        cases. With a `label`: of the workflows' `variant` and with values `fixed` ((path, value), ...) beside those of the study."""
+        self.folder.mkdir(parents=True, exist_ok=True)
         file = self.root / f"workflows/{study}.yaml"
         folder = self.folder / "_".join(filter(None, [file.stem, label]))
         if label:
@@ -108,16 +134,40 @@ class Runner:
         wanted = not self.report and self._is_wanted(folder.name)
         if wanted and not self.keep and folder.exists():
             shutil.rmtree(folder)
+        cases = self._cases(file, folder)
+        open_cases = [c for c in cases if c["inputs_sha256"] not in self.recorded]
+        if wanted and open_cases == cases:
+            self._swept(file, folder, folder.name, "--jobs", str(self.jobs))
+        elif wanted:
+            with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
+                list(pool.map(lambda c: self._swept(file, folder, f"{folder.name}_{c['case']}", "--case", c["case"]), open_cases))
+        here = {}
+        if folder.exists():
+            self._swept(file, folder, folder.name, "--collect")
+            here = {c.number: c for c in breccia.open_study(folder).finished}
         finished = []
-        if wanted or folder.exists():
-            command = [self.program, "sweep", file, "--output", folder, *(["--jobs", str(self.jobs)] if wanted else ["--collect"])]
-            if self._logged(command, folder.name) not in (0, 1):
-                sys.exit(f"{folder.name} failed: see {self.folder / (folder.name + '.log')}")
-            finished = breccia.open_study(folder).finished
+        for c in cases:
+            if found := here.get(int(c["case"])):
+                made = found.run.summary["environment"]
+                finished.append(StudyCase(found.workflow, dict(found.inputs), dict(found.values), c["inputs_sha256"], f"{made['breccia']} {made['commit']}".strip()))
+            elif c["inputs_sha256"] in self.recorded:
+                finished.append(self.recorded[c["inputs_sha256"]])
         if len(finished) < expected:
             self.missing.append(f"{folder.name} ({expected - len(finished)} of {expected} cases)")
         self.studies[folder.name] = finished
         return finished
+
+    def _cases(self, file, folder):
+        """What the program lists of a study: case, folder, inputs and their hash."""
+        listed = subprocess.run([self.program, "sweep", file, "--output", folder, "--cases"], cwd=self.root, capture_output=True, text=True)
+        if listed.returncode:
+            sys.exit(f"{file}: {listed.stderr}")
+        return list(csv.DictReader(io.StringIO(listed.stdout)))
+
+    def _swept(self, file, folder, name, *how):
+        """Some cases may not finish (1); whatever else goes wrong ends it all."""
+        if self._logged([self.program, "sweep", file, "--output", folder, *how], name) not in (0, 1):
+            sys.exit(f"{name} failed: see {self.folder / (name + '.log')}")
 
     @staticmethod
     def _changed_study(file, changed, variant, fixed):

@@ -8,6 +8,7 @@ import re
 import shutil
 import types
 
+import breccia
 import numpy
 import pytest
 from conftest import BASE, PROGRAM, root
@@ -72,11 +73,40 @@ def test_a_study_of_a_variant_has_its_values_and_more(tree):
     cases = once.sweep("small/study", 4, "soft", "soft", [("contact_law.stiffness_ratio", "2")])
     assert not once.missing and (tree / "results/study_soft/results.csv").exists()
     assert sorted((c.workflow, c.inputs["contact_law.friction"]) for c in cases) == [(w, f) for w in ("quick", "slow") for f in (0.1, 0.5)]
-    run = cases[0].run
+    run = breccia.open_study(tree / "results/study_soft").finished[0].run
     assert run.setting("contact_law.bond_modulus") == "5e9 Pa" and run.setting("contact_law.stiffness_ratio") == 2 and run.setting("outputs") == []
     reader = runner(tree, report=True)
     assert len(reader.sweep("small/study", 4, "soft", "soft", [("contact_law.stiffness_ratio", "2")])) == 4
     assert reader.sweep("small/study", 4) == [] and reader.missing == ["study (4 of 4 cases)"]
+
+
+def test_recorded_cases_of_a_study_are_not_run_again(tree):
+    once = runner(tree)
+    before = once.sweep("small/study", 4)
+    reports.Report().finish(once, "paper", 0, [])
+    record = tree / "docs/validation/paper.json"
+    read = json.loads(record.read_text())
+    assert "earlier sittings" not in (tree / "docs/validation/paper.md").read_text()
+    dropped = read["studies"]["study"].pop(1)
+    read["studies"]["study"][0]["inputs_sha256"] = "0" * 64    # of other inputs: not this case
+    record.write_text(json.dumps(read))
+    shutil.rmtree(tree / "results/study")
+    again = runner(tree, record=record)
+    after = again.sweep("small/study", 4)
+    assert [c.inputs_sha256 for c in after] == [c.inputs_sha256 for c in before] and [c.earlier for c in after] == [False, False, True, True]
+    assert sorted(f.name for f in (tree / "results/study/cases").iterdir() if not f.name.startswith(".")) == sorted(f"friction=0.1_{w}" for w in ("quick", "slow"))
+    assert after[1].values == before[1].values and after[2].values["peak_stress_Pa"] == pytest.approx(before[2].values["peak_stress_Pa"], rel=1e-8)
+    assert dropped["program"] == before[1].program and again.missing == []
+    reports.Report().finish(again, "paper", 0, [])
+    assert f"Of the 4 cases of the studies these are of earlier sittings, known again by the hash of their inputs: 2 by version {dropped['program']}." in (
+        tree / "docs/validation/paper.md").read_text()
+    base = tree / "workflows/small/base.yaml"
+    base.write_text(base.read_text() + "seed: 2\n")
+    shutil.rmtree(tree / "results/study")
+    assert runner(tree, report=True, record=record).sweep("small/study", 4) == []    # the workflow is another one now
+    record.write_text('{"studies": {"study": [{"workflow": "quick"}]}}')
+    with pytest.raises(SystemExit, match="is no data of a report"):
+        runner(tree, record=record)
 
 
 def test_numbers_are_written_beside_the_text(tree):
