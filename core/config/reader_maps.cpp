@@ -55,6 +55,8 @@ Json SectionReader::read_changes(const ParamSpec& list, const ParamSpec& group, 
   auto below = std::make_shared<YamlNode>(section);
   std::erase_if(below->entries, [&](const YamlEntry& e) { return e.key == list.name; });
 
+  const std::string section_path =
+      site.path.substr(0, site.path.size() - std::min(site.path.size(), list.name.size() + 1));
   Json all = Json::array();
   for (std::size_t k = 0; k < node.items.size(); ++k) {
     const YamlNode& item = *node.items[k];
@@ -69,9 +71,11 @@ Json SectionReader::read_changes(const ParamSpec& list, const ParamSpec& group, 
     const std::size_t before = findings_.size();
     const Json values = read_members(rest, *merge(rest, below, above, plugins_), here, own_key);
     const auto is_said = [&](const Finding& f) {
+      const std::string in_section = section_path + f.path.substr(std::min(here.path.size(), f.path.size()));
       return std::any_of(findings_.begin(), findings_.begin() + std::ptrdiff_t(before), [&](const Finding& old) {
-        return old.place.source == f.place.source && old.place.line == f.place.line &&
-               old.place.column == f.place.column && old.text == f.text;
+        const bool is_there =
+            old.place.source == f.place.source && old.place.line == f.place.line && old.place.column == f.place.column;
+        return old.path == in_section ? is_there || old.text == f.text : is_there && old.text == f.text;
       });
     };
     findings_.erase(std::remove_if(findings_.begin() + std::ptrdiff_t(before), findings_.end(), is_said),

@@ -105,15 +105,20 @@ void SectionReader::check_known(const ParamSpec& group, const YamlNode& node, co
     if (entry.key == own_key || std::find(names.begin(), names.end(), entry.key) != names.end()) continue;
     if (const auto gone = group.removed.find(entry.key); gone != group.removed.end()) {
       report(entry.place, path, "is no longer a parameter; " + gone->second);
-    } else if (const std::string spaced = with_space_after_colon(entry.key); !spaced.empty()) {
+      continue;
+    }
+    if (const std::string spaced = with_space_after_colon(entry.key); !spaced.empty()) {
       report(entry.place, site.path, "a space is missing after the colon: write " + in_ticks(spaced));
       meant.insert(spaced.substr(0, spaced.find(':')));
-    } else if (const auto section = section_with_key(entry.key, site.path, root_, tree_, plugins_)) {
+      continue;
+    }
+    const std::string near = closest(entry.key, free_names);
+    if (const auto section = section_with_key(entry.key, site.path, root_, tree_, plugins_)) {
       report(entry.place, path,
              "does not belong here; " + in_ticks(entry.key) + " belongs " +
-                 (section->empty() ? "at the top level" : "under " + in_ticks(*section)));
+                 (section->empty() ? "at the top level" : "under " + in_ticks(*section)) +
+                 (near.empty() ? "" : "; or did you mean " + in_ticks(near) + "?"));
     } else {
-      const std::string near = closest(entry.key, free_names);
       meant.insert(near);
       report(entry.place, path, "is not a known parameter" + suggestion(entry.key, near.empty() ? names : free_names));
     }

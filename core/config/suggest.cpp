@@ -14,6 +14,18 @@ std::string lower_case(std::string_view s) {
   return out;
 }
 
+/// Whether all words of `part` are among those of `whole`, words being what underscores part.
+bool has_words_of(std::string_view whole, std::string_view part) {
+  const auto in_underscores = [](std::string_view s) { return "_" + lower_case(s) + "_"; };
+  const std::string words = in_underscores(whole), wanted = in_underscores(part);
+  for (std::size_t at = 1; at < wanted.size();) {
+    const std::size_t end = wanted.find('_', at);
+    if (words.find(wanted.substr(at - 1, end - at + 2)) == std::string::npos) return false;
+    at = end + 1;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::size_t edit_distance(std::string_view first, std::string_view second) {
@@ -46,6 +58,13 @@ std::string closest(std::string_view written, const std::vector<std::string>& kn
       best = distance;
       found = name;
     }
+  }
+  if (!found.empty()) return found;
+  // `friction_angle` for `internal_friction_angle`, if there is only one such.
+  for (const std::string& name : known) {
+    if (!has_words_of(name, written)) continue;
+    if (!found.empty()) return {};
+    found = name;
   }
   return found;
 }

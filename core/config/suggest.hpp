@@ -12,7 +12,8 @@ namespace breccia {
 /// (optimal string alignment, a form of the Damerau-Levenshtein distance).
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The nearest of `known` if it is near enough to be meant, else empty. The first of several equally near.
+/// The nearest of `known` if it is near enough to be meant, the first of several equally near; else the only one that
+/// has all words of what was written; else empty.
 std::string closest(std::string_view written, const std::vector<std::string>& known);
 
 /// "`a`, `b`, `c`"; long lists end in "and N more".

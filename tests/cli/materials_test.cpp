@@ -101,6 +101,15 @@ contact_law:
     EXPECT_TRUE(has(r.text, part)) << part << "\n" << r.text;
 }
 
+/// What is wrong with a law itself is not said again for each pair of materials.
+TEST_F(MaterialsInWorkflows, MistakesOfALawAreSaidOnce) {
+  write("w.yaml", std::string(head) + law + "  between: [{materials: [quartz, feldspar]}]\n" + two);
+  const Result r = call("validate w.yaml --set contact_law.bonds=3 --set contact_law.friction=null");
+  EXPECT_EQ(r.code, 2) << r.text;
+  EXPECT_TRUE(has(r.text, "contact_law.bonds: is not a known parameter")) << r.text;
+  EXPECT_FALSE(has(r.text, "between[0]")) << r.text;
+}
+
 TEST_F(MaterialsInWorkflows, NamesAndSharesAreChecked) {
   write("w.yaml", std::string(head) + law + "  between: [{materials: [quarz, feldspar]}]\n" + two);
   const auto refused = [&](const std::string& settings, const std::string& why) {
@@ -116,6 +125,9 @@ TEST_F(MaterialsInWorkflows, NamesAndSharesAreChecked) {
   refused(right + "--set material_of.shares.quartz='30 %'", "the shares add up to 105 %, not to 100 %");
   refused(right + "--set material_of='{column: {name: mineral, values: {quartz: 1, gold: 2}}}'",
           "material_of.column.values.gold: no material is named `gold`");
+  refused(right + "--set 'material_of={layers: {materials: [quartz, feldspar], thickness: [1 mm, 2 mm]}}'",
+          "material_of.layers.thickness: does not belong here; `thickness` belongs at the top level; or did you mean "
+          "`thicknesses`?");
   refused(
       right + "--set material_of='{regions: [{material: quartz, sphere: {centre: [0 m, 0 m, 0 m], radius: 1 mm}}]}'",
       "material_of.elsewhere: is missing");

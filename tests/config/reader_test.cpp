@@ -185,6 +185,10 @@ TEST(Suggestions, KnowSwapsAndCase) {
   EXPECT_EQ(edit_distance("kitten", "sitting"), 3u);
   EXPECT_EQ(closest("elastic_britle", {"damage", "elastic_brittle", "net"}), "elastic_brittle");
   EXPECT_EQ(closest("mass", {"time", "stress"}), "");
+  EXPECT_EQ(closest("friction_angle", {"friction", "internal_friction_angle", "cohesion"}), "internal_friction_angle");
+  EXPECT_EQ(closest("angle_friction", {"internal_friction_angle"}), "internal_friction_angle");
+  EXPECT_EQ(closest("angl", {"internal_friction_angle"}), "") << "a part of a word is none";
+  EXPECT_EQ(closest("compression", {"uniaxial_compression", "biaxial_compression"}), "") << "there are two";
 }
 
 /// What is there by default can be reached into, as if it had been written.
