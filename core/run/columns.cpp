@@ -57,6 +57,25 @@ PackedParticles stand_in(const PackingRequest& request, SpecimenShape::Outline o
   return p;
 }
 
+/// The laws of the workflow between a few particles.
+class FewParticles {
+ public:
+  FewParticles(const Workflow& w, const Registry& registry, const PackingRequest& request,
+               SpecimenShape::Outline outline)
+      : laws_(registry, with_means(w.contact_law)),
+        simulation_(assemble(stand_in(request, outline), {2650.0}, request.dimension, w.thickness),
+                    laws_.interactions(), {}) {
+    laws_.within([&] { simulation_.bond({GapMeasure::relative, 1e-6, std::nullopt}, SpecimenToTell{0.3, 6}); });
+  }
+
+  SimulationView view() { return simulation_.view(); }
+  Simulation& simulation() { return simulation_; }
+
+ private:
+  ContactLaws laws_;
+  Simulation simulation_;
+};
+
 }  // namespace
 
 std::size_t add_columns(const SimulationView& view, LoadControl& control, Protocol& protocol,
@@ -73,21 +92,34 @@ void check_curves(const Workflow& w, const Registry& registry) {
     std::vector<Listed<Postprocessor>> postprocessors;
     SilentHost host;
     try {
-      ContactLaws laws(registry, with_means(w.contact_law));
-      Simulation simulation(assemble(stand_in(w.packing_request(), outline), {2650.0}, int(w.dimension), w.thickness),
-                            laws.interactions(), {});
-      SimulationView view;
-      laws.within([&] {
-        simulation.bond({GapMeasure::relative, 1e-6, std::nullopt}, SpecimenToTell{0.3, 6});
-        view = simulation.view();
-      });
+      FewParticles few(w, registry, w.packing_request(), outline);
+      const SimulationView view = few.view();
       const auto protocol = registry.create<Protocol>(w.protocol);
       for (const PluginChoice& c : w.postprocessors) postprocessors.emplace_back(c, registry);
-      set_up(view, simulation, *protocol, {Protocol::kind, w.protocol.type}, postprocessors, curves, host);
+      set_up(view, few.simulation(), *protocol, {Protocol::kind, w.protocol.type}, postprocessors, curves, host);
     } catch (const std::exception&) {
       continue;  // it may be the few particles: the run will say
     }
     return check_needed(postprocessors, curves);
+  }
+}
+
+void check_dimension(const Workflow& w, const Registry& registry) {
+  const auto try_with = [&](int dimension) {
+    PackingRequest request = w.packing_request();
+    request.dimension = dimension;
+    request.periodic = {};
+    FewParticles(w, registry, request, SpecimenShape::Outline::box);
+  };
+  try {
+    try_with(int(w.dimension));
+  } catch (const UserError&) {
+    try {
+      try_with(w.dimension == 2 ? 3 : 2);
+    } catch (const UserError&) {
+      return;  // it may be the few particles: the run will say
+    }
+    throw;
   }
 }
 

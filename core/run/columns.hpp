@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Who adds which curves to a run; known before the packing is made.
+/// Who adds which curves to a run, and whether its laws fit its particles; known before the packing is made.
 #pragma once
 
 #include "breccia/protocol.hpp"
@@ -18,5 +18,9 @@ std::size_t add_columns(const SimulationView& view, LoadControl& control, Protoc
 /// Tries the same with a few particles in place of the specimen, which may be long in the making: UserError when a
 /// post-processor needs a curve that no plugin adds. What cannot be tried with so few is left to the run.
 void check_curves(const Workflow& workflow, const Registry& registry);
+
+/// UserError, in the law's own words, when a contact law cannot do with spheres that it could do with discs, or the
+/// other way round.
+void check_dimension(const Workflow& workflow, const Registry& registry);
 
 }  // namespace breccia

@@ -29,6 +29,7 @@ void try_plugins(const Workflow& w, const Registry& registry) {
   for (const PluginChoice& c : w.postprocessors) registry.create<Postprocessor>(c);
   for (const PluginChoice& c : w.outputs) registry.create<Output>(c);
   for (const PluginChoice& c : w.renderers) registry.create<Renderer>(c);
+  check_dimension(w, registry);
   check_curves(w, registry);
 }
 

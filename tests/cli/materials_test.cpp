@@ -178,5 +178,20 @@ TEST_F(MaterialsInWorkflows, ValidateKnowsWhatAPackingCannotDo) {
       << r.text;
 }
 
+/// Before a packing is made, which may take long.
+TEST_F(MaterialsInWorkflows, ValidateKnowsWhatALawCannotDo) {
+  write("w.yaml", std::string(head) + "material: {density: 2650 kg/m3}\n" +
+                      "contact_law: {type: flat_joint, bond_modulus: 10 GPa, stiffness_ratio: 2, tensile_strength: "
+                      "10 MPa, cohesion: 40 MPa, internal_friction_angle: 30 deg, friction: 0.5}\n");
+  EXPECT_EQ(call("validate w.yaml").code, 0);
+  const std::string in_plane = " --set dimension=2 --set packing.lattice=hexagonal";
+  const Result r = call("run w.yaml" + in_plane);
+  EXPECT_EQ(r.code, 2) << r.text;
+  EXPECT_TRUE(has(r.text, "w.yaml:7:14: contact_law flat_joint: `elements: disc_...` is how faces of spheres"))
+      << r.text;
+  EXPECT_FALSE(has(r.text, "particles")) << r.text;
+  EXPECT_EQ(call("validate w.yaml --set contact_law.elements=line_4" + in_plane).code, 0);
+}
+
 }  // namespace
 }  // namespace breccia::testing
