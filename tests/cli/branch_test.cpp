@@ -162,6 +162,9 @@ TEST_F(Branch, CheckpointsMayFollowTheStrain) {
   const Result none = call("run disc.yaml --output none --set checkpoints.every_strain=0.1%");
   EXPECT_EQ(none.code, 2) << none.text;
   EXPECT_TRUE(has(none.text, "no curve of a strain along the axis")) << none.text;
+  const Result hasty = call("validate trunk.yaml --set 'checkpoints.every=3 ms'");
+  EXPECT_EQ(hasty.code, 2) << hasty.text;
+  EXPECT_TRUE(has(hasty.text, "checkpoints.every: is time of the clock, at least 1 s")) << hasty.text;
 }
 
 }  // namespace
