@@ -54,6 +54,10 @@ BRECCIA_KERNEL void turn_back(ParticleMotion* of, Vec3 ParticleMotion::*member, 
   for (; k < n; ++k) of[k].*member = Vec3(x[k], y[k], z[k]);
 }
 
+/// Where nothing drives it, damping takes a particle's velocity towards zero without end. Below 1e-100 m/s (or 1/s) it
+/// is at rest: the square of less, under that of a force, would be no finite number when the particle is hit.
+constexpr double at_rest = 1e-200;
+
 /// Advances n velocities as one vector loop. Bits 0 to 2 of held >> shift: components that keep their velocity.
 BRECCIA_KERNEL void advance(Drive& d, const std::uint8_t* held, int shift, std::size_t n, double alpha, double dt,
                             double* lost, double* work) {
@@ -64,7 +68,7 @@ BRECCIA_KERNEL void advance(Drive& d, const std::uint8_t* held, int shift, std::
     const double vx = d.vx[k], vy = d.vy[k], vz = d.vz[k], lx = d.lx[k], ly = d.ly[k], lz = d.lz[k];
     const double fx = ox * lx, fy = oy * ly, fz = oz * lz, ux = ox * vx, uy = oy * vy, uz = oz * vz;
     const double speed2 = ux * ux + (uy * uy + uz * uz), force2 = fx * fx + (fy * fy + fz * fz);
-    const bool drags = (alpha > 0) & (speed2 > 0);
+    const bool drags = (alpha > 0) & (speed2 > at_rest);
     const double share = -alpha * std::sqrt(force2 / (drags ? speed2 : 1.0));
     const double dx = drags ? ux * share : 0.0, dy = drags ? uy * share : 0.0, dz = drags ? uz * share : 0.0;
     const double mobility = dt / d.inertia[k], gx = mobility * (fx + dx), gy = mobility * (fy + dy),

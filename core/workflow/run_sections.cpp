@@ -58,12 +58,6 @@ void CheckpointsConfig::describe(Schema<CheckpointsConfig>& s) {
   s.param("at_end", &CheckpointsConfig::at_end)
       .fallback(false)
       .doc("one more before the last step of the test; a run that is stopped on request always leaves one");
-  s.check([](const CheckpointsConfig& c, Issues& issues) {
-    if (c.every < 1)
-      issues.push_back({"every",
-                        "is time of the clock, at least 1 s: writing one takes a good part of that; between two of "
-                        "simulated time it is `every_simulated`"});
-  });
 }
 
 void BranchConfig::describe(Schema<BranchConfig>& s) {

@@ -64,6 +64,14 @@ void check_materials(const Workflow& w, Issues& issues) {
   }
 }
 
+/// `every: 2 ms`, meant as simulated time, would write one at each step.
+void check_checkpoints(const CheckpointsConfig& c, Issues& issues) {
+  if (c.every < 1)
+    issues.push_back({"checkpoints.every",
+                      "is time of the clock, and must be at least 1 s; simulated time between two checkpoints is "
+                      "`checkpoints.every_simulated`"});
+}
+
 void check_periodic(const Workflow& w, Issues& issues) {
   const std::vector<std::string> known =
       w.dimension == 2 ? std::vector<std::string>{"x", "y"} : std::vector<std::string>{"x", "y", "z"};
@@ -190,6 +198,7 @@ const Schema<Workflow>& schema_of_workflow() {
     s.check([](const Workflow& w, Issues& issues) {
       check_materials(w, issues);
       check_periodic(w, issues);
+      check_checkpoints(w.checkpoints, issues);
     });
     return s;
   }();

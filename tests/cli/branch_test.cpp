@@ -164,7 +164,7 @@ TEST_F(Branch, CheckpointsMayFollowTheStrain) {
   EXPECT_TRUE(has(none.text, "no curve of a strain along the axis")) << none.text;
   const Result hasty = call("validate trunk.yaml --set 'checkpoints.every=3 ms'");
   EXPECT_EQ(hasty.code, 2) << hasty.text;
-  EXPECT_TRUE(has(hasty.text, "checkpoints.every: is time of the clock, at least 1 s")) << hasty.text;
+  EXPECT_TRUE(has(hasty.text, "checkpoints.every: is time of the clock, and must be at least 1 s")) << hasty.text;
 }
 
 }  // namespace

@@ -130,6 +130,23 @@ TEST(Conservation, DampingActsOnTheNormOfTheResultant) {
   }
 }
 
+/// Damping takes a free particle's velocity towards zero without end; what hits it then must move it.
+TEST(Conservation, AParticleThatHasComeToRestCanBeHit) {
+  for (const double speed : {1e-90, 1e-130, 1e-160, 1e-170, 5e-324}) {
+    State s = assemble(simple_cubic(1, 1, 1, 1e-3), {2650}, 3, 1);
+    s.time_step = 1e-6;
+    s.particles.velocity()[0] = Vec3(speed, 0, -speed);
+    s.particles.angular_velocity()[0] = Vec3(0, speed, 0);
+    s.particles.force()[0] = Vec3(0, 2e3, 0);
+    s.particles.torque()[0] = Vec3(0, 0, 3);
+    BlockAccount account;
+    integrate(s, {0.7, 0.7}, CellMotion{}, false, 1, {&account, 1});
+    EXPECT_NEAR(s.particles.velocity()[0].y() * s.particles.mass()[0] / s.time_step, 2e3, 1e-9) << speed;
+    EXPECT_NEAR(s.particles.angular_velocity()[0].z() * s.particles.inertia()[0] / s.time_step, 3, 1e-9) << speed;
+    EXPECT_TRUE(s.particles.velocity()[0].allFinite() && s.particles.angular_velocity()[0].allFinite()) << speed;
+  }
+}
+
 TEST(Conservation, AVelocityThatIsNotANumberEndsTheRun) {
   const PackedParticles packing = random_block(10, 10, 6, 1e-3, 7);
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
