@@ -200,6 +200,8 @@ std::vector<fs::path> write_calibration(const CalibrationTrials& trials, Course&
                      {"complete", whole},
                      {"runs", o.runs},
                      {"failed_runs", o.failed},
+                     {"runs_out_of_time", o.out_of_time},
+                     {"run_time_limit_s", c.run_time.seconds > 0 ? Json(c.run_time.seconds) : Json()},
                      {"points", o.points},
                      {"parameters", parameters_json(trials, o)},
                      {"targets", targets_json(trials, o)},

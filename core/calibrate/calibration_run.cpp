@@ -217,7 +217,7 @@ StudyEnd run_trial(const CalibrationRequest& a, const CalibrationTrials& trials,
   return run_in_folder(
       {resolved.loaded, trials.registry(trial), results / "cases" / resolved.folder, resolved.hash, about,
        fmt::format("run {} of calibration `{}`", resolved.folder, trials.calibration().config.name), a.parent > 0,
-       false},
+       false, trials.calibration().run_time},
       terminal);
 }
 

@@ -92,6 +92,11 @@ class Checker {
     }
   }
 
+  void run_time() {
+    if (config_.budget.run_time)
+      loaded_.run_time = {*config_.budget.run_time, tree_.find("budget")->value->find("run_time")->value->text};
+  }
+
   void stages() {
     if (!config_.budget.stages) {
       loaded_.stages.push_back({"", "", 1, {}});
@@ -368,6 +373,7 @@ LoadedCalibration load_calibration(const fs::path& file, Registry& registry) {
   checker.targets();
   checker.parameters();
   checker.stages();
+  checker.run_time();
   if (findings.empty()) {
     try {
       plan_course(loaded);

@@ -62,6 +62,7 @@ class Finder {
       for (const TrialResult& r : p.results) {
         ++out_.runs;
         out_.failed += !r.finished;
+        out_.out_of_time += r.out_of_time;
       }
     }
   }
@@ -171,6 +172,12 @@ class Finder {
     if (out_.failed > 0)
       warn(fmt::format("{} of {} runs have failed; runs.csv says which and why. Their points count as unknown.",
                        out_.failed, out_.runs));
+    if (out_.out_of_time > 0)
+      warn(fmt::format(
+          "{} of the failed runs took longer than `run_time` of the budget{}. How long a run takes depends on the "
+          "machine and on what else it does: made anew, this calibration may take another path. In this folder it is "
+          "kept which runs were ended, and the path stays.",
+          out_.out_of_time, c_.run_time.text.empty() ? "" : ", " + c_.run_time.text));
     if (!out_.has_best) {
       warn("There is no best point: no point has a value of every target.");
       return;

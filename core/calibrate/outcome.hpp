@@ -36,6 +36,7 @@ struct CalibrationOutcome {
   std::vector<ParetoPoint> front;     ///< only where targets contradict each other
   std::vector<std::string> warnings;  ///< in plain sentences
   std::size_t runs = 0, failed = 0, points = 0;
+  std::size_t out_of_time = 0;  ///< of those that failed
 };
 
 /// Of a course that has come to its end, or as far as it has come.

@@ -247,6 +247,48 @@ TEST_F(Calibrate, FailedRunsAreKeptAndTold) {
   EXPECT_EQ(failures(), told);
 }
 
+TEST_F(Calibrate, RunsThatTakeTooLongHaveFailedAndStaySo) {
+  // A platen that hardly moves: with it a run would take hours, with the largest velocity a part of a second.
+  const auto with = [&](const std::string& budget) {
+    std::string text = file(20e9, 50e6, "budget: {runs: 8, start_packings: 2, check_packings: 1" + budget + "}\n");
+    const std::string after = "to: 200 MPa, scale: log}\n";
+    text.insert(
+        text.find(after) + after.size(),
+        "  velocity: {path: protocol.platen_velocity, from: 1e-8 m/s, to: 0.4 m/s, scale: log, start: 0.4 m/s}\n");
+    return text;
+  };
+  write("c.yaml", with(", run_time: 2500 ms"));
+  const Result first = call("calibrate c.yaml --output out --jobs 2");
+  EXPECT_TRUE(has(first.text, "failed: took longer than the 2500 ms that a run may take")) << first.text;
+  EXPECT_TRUE(has(first.text, "of the failed runs took longer than `run_time` of the budget, 2500 ms.")) << first.text;
+  const Json o = outcome("out");
+  const std::size_t ended = o["runs_out_of_time"].get<std::size_t>();
+  EXPECT_GT(ended, 0u);
+  EXPECT_LE(ended, o["failed_runs"].get<std::size_t>());
+  EXPECT_EQ(o["run_time_limit_s"], 2.5);
+  const std::string runs = content(folder_ / "out/runs.csv");
+  std::size_t told = 0;
+  for (const auto& row : rows_of(runs)) {
+    const bool of_time = has(row.at("error"), "took longer than the 2500 ms");
+    told += of_time;
+    if (!of_time) continue;
+    EXPECT_EQ(row.at("status"), "failed");
+    EXPECT_EQ(Json::parse(content(folder_ / "out/cases" / row.at("folder") / "unfinished/case.json"), nullptr,
+                          false)["out_of_time"],
+              true);
+  }
+  EXPECT_EQ(told, ended);
+  // However long they may take now, what was decided stands, and so does the path.
+  for (const char* budget : {", run_time: 2500 ms", ", run_time: 10 h", ""}) {
+    write("c.yaml", with(budget));
+    const Result again = call("calibrate c.yaml --output out --jobs 2");
+    EXPECT_EQ(again.code, first.code) << again.text;
+    EXPECT_EQ(again.text.find("] test_"), std::string::npos) << again.text;
+    EXPECT_EQ(content(folder_ / "out/runs.csv"), runs);
+    EXPECT_EQ(outcome("out")["runs_out_of_time"], ended);
+  }
+}
+
 TEST_F(Calibrate, MistakesHaveOneLineEach) {
   const std::string good = file(20e9, 50e6, small_budget);
   const auto refused = [&](const std::string& what, const std::string& with, const std::string& expected) {
