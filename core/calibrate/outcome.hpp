@@ -40,10 +40,7 @@ struct CalibrationOutcome {
 };
 
 /// Of a course that has come to its end, or as far as it has come.
-CalibrationOutcome outcome_of(const LoadedCalibration& c, Course& course, Host& host);
-
-/// "118.2 MPa": a value of a target in the unit of the file, to that many digits.
-std::string shown(const TargetMeasure& m, double si, int digits = 4);
+CalibrationOutcome outcome_of(const CalibrationTrials& trials, Course& course, Host& host);
 
 /// Distance from the wanted value, in units of the experiment's scatter.
 double residual_of(const TargetMeasure& m, double on_scale);

@@ -25,7 +25,7 @@ bool told_elsewhere(const std::string& key) {
 /// A number, or what a reader should know instead of one.
 std::string cell(const Json& v, const std::string& unit, double like = 0) {
   if (v.is_boolean()) return v.get<bool>() ? "yes" : "no";
-  if (v.is_number()) return quantity(v.get<double>(), unit, like).text();
+  if (v.is_number()) return shown_quantity(v.get<double>(), unit, like).text();
   if (v.is_null()) return "<span class=\"soft\">not measured</span>";
   return v.is_string() ? escaped(v.get<std::string>()) : "";
 }
@@ -79,7 +79,7 @@ std::string tiles(const RunFiles& run) {
   int count = 0;
   for (const Result& r : headline_results(run)) {
     if (!r.value.is_number() || count == 4) continue;
-    const Quantity q = quantity(r.value.get<double>(), r.unit);
+    const ShownQuantity q = shown_quantity(r.value.get<double>(), r.unit);
     out += "<li><span>" + escaped(r.title) + "</span><b>" + q.number +
            (q.unit.empty() ? "" : " <small>" + q.unit + "</small>") + "</b></li>\n";
     ++count;
@@ -186,7 +186,7 @@ std::string energy_part(const RunFiles& run) {
     const double part = whole != 0 ? value / whole : 0;
     const int width = std::clamp(int(std::lround(100 * part)), 0, 100);
     std::vector<std::string> row{
-        title, quantity(value, "J", largest).text(), whole != 0 ? percent_text(part) : "",
+        title, shown_quantity(value, "J", largest).text(), whole != 0 ? percent_text(part) : "",
         foot ? "" : "<span class=\"bar\"><i style=\"width:" + std::to_string(width) + "%\"></i></span>"};
     foot ? table.foot(row) : table.row(row);
   };

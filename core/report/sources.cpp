@@ -42,7 +42,7 @@ std::string computation_part(const RunFiles& run) {
   };
   const auto seconds = [&](const std::string& path) {
     const double v = run.number(path);
-    return std::isnan(v) ? std::string() : quantity(v, "s").text();
+    return std::isnan(v) ? std::string() : shown_quantity(v, "s").text();
   };
   add("Time step", seconds("time_step_s"));
   add("Critical time step", seconds("critical_time_step_s"));
