@@ -210,7 +210,7 @@ std::vector<fs::path> write_calibration(const CalibrationTrials& trials, Course&
                      {"run_time_limit_s", c.run_time.seconds > 0 ? Json(c.run_time.seconds) : Json()},
                      {"points", o.points},
                      {"seed", c.config.seed},
-                     {"search", c.config.search->type},
+                     {"search", c.search},
                      {"parameters", parameters_json(trials, o)},
                      {"targets", targets_json(trials, o)},
                      {"warnings", o.warnings}};
