@@ -215,14 +215,18 @@ std::string other_numbers(const RunFiles& run) {
   return foldable("All other numbers that were measured", table.html());
 }
 
-std::string warnings_part(const RunFiles& run) {
-  const Json warnings = run.result("warnings");
+std::string warnings_list(const Json& warnings) {
   std::string out;
   if (warnings.is_array())
     for (const Json& w : warnings)
       if (w.is_string()) out += "<li class=\"note\">" + escaped(w.get<std::string>()) + "</li>\n";
-  if (!out.empty()) return "<ul class=\"warnings\">\n" + out + "</ul>\n";
-  return warnings.is_array() ? paragraph("The run gave none.") : std::string();
+  return out.empty() ? out : "<ul class=\"warnings\">\n" + out + "</ul>\n";
+}
+
+std::string warnings_part(const RunFiles& run) {
+  const Json warnings = run.result("warnings");
+  const std::string list = warnings_list(warnings);
+  return list.empty() && warnings.is_array() ? paragraph("The run gave none.") : list;
 }
 
 }  // namespace breccia::report

@@ -76,8 +76,8 @@ renderers: []
     }
     return mean;
   }
-  /// Terminal and report.md tell of the calibration in `out` in units that people read.
-  void tells_it_all(const Result& said, const Json& o) const {
+  /// Terminal, report.md and `breccia report` tell of the calibration in `out` in units that people read.
+  void tells_it_all(const Result& said, const Json& o, const Rows& runs) const {
     const auto four = [](double v) {
       char text[32];
       std::snprintf(text, sizeof text, "%.4g", v);
@@ -95,6 +95,31 @@ renderers: []
       EXPECT_FALSE(has(text, "e+")) << text;
       EXPECT_FALSE(has(text, " Pa ")) << text;
     }
+    const Result report = call("report out --author 'A. Name'");
+    ASSERT_EQ(report.code, 0) << report.text;
+    const std::string html = content(folder_ / "out/report.html"), nbsp = "\u00A0";
+    for (const std::string& part :
+         {std::string("Report of a calibration"), std::string("2 parameters, 2 targets; 20 runs at "),
+          std::string("A. Name"), "<td class=\"n\">" + four(modulus) + nbsp + "GPa</td>",
+          "<td class=\"n\">" + four(stiffness) + nbsp + "GPa</td><td class=\"n\">3</td>", "4 to 60" + nbsp + "GPa",
+          std::string("Modulus (GPa)"), std::string("Strength (MPa)"), std::string("What depends on what"),
+          std::string("Course of the search"), std::string("<code>contact_law.bond_modulus</code>"),
+          std::string("best/test.yaml"), std::string("Jones, Schonlau, Welch (1998)")})
+      EXPECT_TRUE(has(html, part)) << part;
+    for (const char* part : {"<script", "href=\"http", "src=\"http", "Runs without results", "contradict each other"})
+      EXPECT_FALSE(has(html, part)) << part;
+    const std::string methods = content(folder_ / "out/methods.md");
+    EXPECT_TRUE(has(methods, "Sought were modulus (4 to 60 GPa) and strength (8 to 200 MPa), such that")) << methods;
+    EXPECT_TRUE(has(methods, "Best were modulus (" + four(modulus) + " GPa; 90 % interval ")) << methods;
+    // What the runs have in common is told of one of those that have the best parameters.
+    std::size_t of_check = 0;
+    for (const auto& row : runs)
+      if (row.at("point") == runs.back().at("point"))
+        of_check += has(methods, row.at("folder").substr(5) + "” stands here");
+    EXPECT_EQ(of_check, 1u) << methods;
+    const std::string crate = content(folder_ / "out/ro-crate-metadata.json");
+    EXPECT_TRUE(has(crate, "Results of one run of the calibration")) << crate;
+    EXPECT_EQ(call("report out").code, 2) << "there is one already";
   }
 
   Json outcome(const std::string& folder) const { return Json::parse(content(folder_ / folder / "calibration.json")); }
@@ -152,7 +177,7 @@ TEST_F(Calibrate, FindsParametersThatAreKnown) {
   const Result collected = call("calibrate c.yaml --output out --collect");
   EXPECT_EQ(collected.code, 0) << collected.text;
   EXPECT_EQ(outcome("out"), o);
-  tells_it_all(r, o);
+  tells_it_all(r, o, rows);
 }
 
 TEST_F(Calibrate, TheSamePathOnAnyNumberOfJobsAfterAKillAndPieceByPiece) {
@@ -200,7 +225,13 @@ TEST_F(Calibrate, TheSamePathOnAnyNumberOfJobsAfterAKillAndPieceByPiece) {
   ASSERT_EQ(call("calibrate c.yaml --output three --collect").code, 1);  // not yet at its end
   EXPECT_EQ(outcome("three")["complete"], false);
   EXPECT_EQ(outcome("three")["runs"], 6);
-  EXPECT_EQ(call("report two").code, 2);
+  const Result early = call("report three");
+  EXPECT_EQ(early.code, 0) << early.text;
+  EXPECT_TRUE(has(content(folder_ / "three/report.html"), "The calibration has not come to its end."));
+  fs::remove(folder_ / "three/calibration.json");
+  const Result none = call("report three --overwrite");
+  EXPECT_EQ(none.code, 2);
+  EXPECT_TRUE(has(none.text, "the calibration in three has no result yet")) << none.text;
 }
 
 TEST_F(Calibrate, SmallSpecimensFirst) {
@@ -233,6 +264,12 @@ TEST_F(Calibrate, WhatIsWrongWithTheTaskIsSaid) {
   ASSERT_EQ(c.code, 0) << c.text;
   EXPECT_TRUE(has(c.text, "The targets contradict each other")) << c.text;
   EXPECT_TRUE(fs::exists(folder_ / "contradiction/pareto.csv"));
+  const Result report = call("report contradiction");
+  ASSERT_EQ(report.code, 0) << report.text;
+  const std::string html = content(folder_ / "contradiction/report.html");
+  for (const char* part :
+       {"Targets that contradict each other", "Soft, scatters away", "The targets contradict each other: each can be"})
+    EXPECT_TRUE(has(html, part)) << part;
 
   write("idle.yaml",
         "workflows: {a: {file: small.yaml}}\n"
@@ -272,6 +309,8 @@ TEST_F(Calibrate, FailedRunsAreKeptAndTold) {
     return failed;
   };
   EXPECT_EQ(failures(), told);
+  ASSERT_EQ(call("report out").code, 0);
+  EXPECT_TRUE(has(content(folder_ / "out/report.html"), "Runs without results"));
   // They are not run again unless one says so.
   const Result again = call("calibrate c.yaml --output out --jobs 2");
   EXPECT_EQ(again.text.find("] test_"), std::string::npos) << again.text;
