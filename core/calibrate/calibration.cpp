@@ -91,6 +91,14 @@ void CalibrationBudget::describe(Schema<CalibrationBudget>& s) {
       .at_most(1000)
       .fallback(2)
       .doc("points that are proposed together: their runs can go on at once, but know nothing of each other");
+  s.param("run_time", &CalibrationBudget::run_time)
+      .unit("s")
+      .above(0)
+      .example("5 min")
+      .doc(
+          "wall-clock time of one run, packing included: one that takes longer is ended and counts as failed. It "
+          "depends on the machine, and with it the path of the search; what was decided once stands. Default: no "
+          "limit");
   s.param("stages", &CalibrationBudget::stages)
       .items(1, 10)
       .doc(

@@ -8,6 +8,7 @@
 #include "config/base_chain.hpp"
 #include "plugin/registry.hpp"
 #include "study/design.hpp"
+#include "study/run_time.hpp"
 #include "workflow/workflow.hpp"
 
 namespace breccia {
@@ -48,6 +49,7 @@ struct CalibrationStage {
 
 struct CalibrationBudget {
   long runs, packings, start_packings, check_packings, batch;
+  std::optional<double> run_time;  ///< [s]
   std::optional<std::vector<CalibrationStage>> stages;
   static void describe(Schema<CalibrationBudget>& s);
 };
@@ -125,9 +127,15 @@ struct LoadedCalibration {
   std::vector<Target> targets;
   std::vector<Parameter> parameters;
   std::vector<Stage> stages;  ///< at least one
+  RunTime run_time;
+  std::string search;  ///< what proposes the points; empty where the file names none and the usual one is not installed
 };
 
 /// ConfigError with every problem of the file itself. The plugins that it names are added to the registry first.
 LoadedCalibration load_calibration(const std::filesystem::path& file, Registry& registry);
+
+/// Its search with all parameters. UserError where there is none. The usual one is loaded here and not before: its
+/// libraries are many, and the runs of a calibration, each a process that reads the file, do without.
+PluginChoice search_of(const LoadedCalibration& loaded, const Registry& registry);
 
 }  // namespace breccia

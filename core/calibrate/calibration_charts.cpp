@@ -4,6 +4,7 @@
 #include "breccia/atomic_file.hpp"
 #include "breccia/renderer.hpp"
 #include "calibrate/calibration_files.hpp"
+#include "calibrate/shown_values.hpp"
 #include "plugin/drawing.hpp"
 #include "plugin/guarded.hpp"
 #include "results/summary_keys.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "breccia/atomic_file.hpp"
-#include "config/units.hpp"
+#include "calibrate/shown_values.hpp"
 #include "results/curve_table.hpp"
 #include "results/summary_keys.hpp"
 #include "study/study_results.hpp"
@@ -80,12 +80,22 @@ std::string pareto_csv(const CalibrationTrials& trials, const CalibrationOutcome
 
 Json number(double v) { return std::isfinite(v) ? Json(v) : Json(); }
 
+/// The unit in which a user thinks of a value; null of a pure number.
+Json given_in(const ChosenUnit& unit) {
+  return unit.name.empty() ? Json() : Json({{"unit", unit.name}, {"factor", unit.factor}});
+}
+
 Json parameters_json(const CalibrationTrials& trials, const CalibrationOutcome& o) {
   const LoadedCalibration& c = trials.calibration();
   Json all = Json::object();
   for (std::size_t k = 0; k < c.parameters.size(); ++k) {
     const ParameterOutcome& p = o.parameters[k];
-    Json one = {{"paths", c.parameters[k].paths}, {"unit", trials.parameter_units()[k]}};
+    const ParameterScale& scale = c.parameters[k].scale;
+    Json one = {{"paths", c.parameters[k].paths},
+                {"unit", trials.parameter_units()[k]},
+                {"given_in", given_in(chosen_unit(trials, k))},
+                {"range", {si_value(trials, k, scale.text(0)), si_value(trials, k, scale.text(1))}},
+                {"scale", scale.log ? "log" : "linear"}};
     one["best"] = o.has_best ? Json(si_value(trials, k, p.best)) : Json();
     if (o.has_model) {
       one["interval_90"] = {si_value(trials, k, p.low), si_value(trials, k, p.high)};
@@ -106,6 +116,7 @@ Json targets_json(const CalibrationTrials& trials, const CalibrationOutcome& o) 
     all[c.targets[t].name] = {{"workflow", c.workflows[c.targets[t].workflow].name},
                               {"key", c.targets[t].key},
                               {"unit", m.unit},
+                              {"given_in", given_in(chosen_unit(m))},
                               {"wanted", m.value},
                               {"scatter_of_experiment", m.scatter},
                               {"measured", number(x.measured)},
@@ -120,11 +131,6 @@ Json targets_json(const CalibrationTrials& trials, const CalibrationOutcome& o) 
 }
 
 }  // namespace
-
-double si_value(const CalibrationTrials& trials, std::size_t k, const std::string& text) {
-  const std::string& unit = trials.parameter_units()[k];
-  return parse_quantity(text, unit.empty() ? "1" : unit);
-}
 
 std::vector<std::string> calibration_file_names() {
   return {"calibration.json", "runs.csv", "points.csv", "report.md"};
@@ -200,7 +206,11 @@ std::vector<fs::path> write_calibration(const CalibrationTrials& trials, Course&
                      {"complete", whole},
                      {"runs", o.runs},
                      {"failed_runs", o.failed},
+                     {"runs_out_of_time", o.out_of_time},
+                     {"run_time_limit_s", c.run_time.seconds > 0 ? Json(c.run_time.seconds) : Json()},
                      {"points", o.points},
+                     {"seed", c.config.seed},
+                     {"search", c.search},
                      {"parameters", parameters_json(trials, o)},
                      {"targets", targets_json(trials, o)},
                      {"warnings", o.warnings}};

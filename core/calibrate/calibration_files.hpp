@@ -33,7 +33,4 @@ std::vector<std::filesystem::path> draw_calibration(const CalibrationTrials& tri
                                                     const CalibrationOutcome& outcome,
                                                     const std::filesystem::path& folder, Host& host);
 
-/// Value of a parameter in SI.
-double si_value(const CalibrationTrials& trials, std::size_t parameter, const std::string& text);
-
 }  // namespace breccia

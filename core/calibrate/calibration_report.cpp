@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "calibrate/calibration_files.hpp"
+#include "calibrate/shown_values.hpp"
 
 namespace breccia {
 
@@ -15,13 +16,16 @@ std::string rounded(double v, const char* form) {
   return std::isfinite(v) ? fmt::format(fmt::runtime(form), v) : std::string("-");
 }
 
-std::string parameters_table(const LoadedCalibration& c, const CalibrationOutcome& o) {
+std::string parameters_table(const CalibrationTrials& trials, const CalibrationOutcome& o) {
+  const LoadedCalibration& c = trials.calibration();
   std::string text = "| parameter | best | 5 % | 95 % | range |\n|---|---|---|---|---|\n";
   for (std::size_t k = 0; k < c.parameters.size(); ++k) {
     const ParameterOutcome& p = o.parameters[k];
     const ParameterScale& s = c.parameters[k].scale;
-    text += fmt::format("| {} | {} | {} | {} | {} to {} |\n", c.parameters[k].name, p.best, o.has_model ? p.low : "-",
-                        o.has_model ? p.high : "-", s.text(0), s.text(1));
+    text += fmt::format("| {} | {} | {} | {} | {} to {} |\n", c.parameters[k].name, shown(trials, k, p.best),
+                        o.has_model ? shown(trials, k, p.low, digits_of_intervals) : "-",
+                        o.has_model ? shown(trials, k, p.high, digits_of_intervals) : "-",
+                        shown(trials, k, s.text(0), digits_of_ranges), shown(trials, k, s.text(1), digits_of_ranges));
   }
   return text;
 }
@@ -35,8 +39,9 @@ std::string targets_table(const LoadedCalibration& c, const CalibrationOutcome& 
     const TargetMeasure& m = c.targets[t].measure;
     const TargetOutcome& x = o.targets[t];
     text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", c.targets[t].name, shown(m, m.value),
-                        shown(m, m.scatter, 2), shown(m, x.measured), x.packings, shown(m, x.scatter, 2),
-                        rounded(x.residual, "{:+.2f}"), rounded(x.of_packings, "{:+.2f}"), shown(m, x.predicted));
+                        shown(m, m.scatter, digits_of_errors), shown(m, x.measured), x.packings,
+                        shown(m, x.scatter, digits_of_errors), rounded(x.residual, "{:+.2f}"),
+                        rounded(x.of_packings, "{:+.2f}"), shown(m, x.predicted));
   }
   return text;
 }
@@ -71,7 +76,7 @@ std::string calibration_report(const CalibrationTrials& trials, const Course& co
     text += "\n";
   }
   if (o.has_best) {
-    text += "## Parameters\n\n" + parameters_table(c, o) + "\n";
+    text += "## Parameters\n\n" + parameters_table(trials, o) + "\n";
     if (o.has_model)
       text +=
           "Between the two ends lie 90 % of the values that agree with the experiment: each point of the ranges counts "

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "calibrate/calibration_files.hpp"
+#include "calibrate/shown_values.hpp"
 #include "plugin/guarded.hpp"
 #include "results/results_folder.hpp"
 #include "results/summary_keys.hpp"
@@ -24,8 +25,8 @@ namespace {
 /// The course, gone with what the folders hold.
 class Walk {
  public:
-  Walk(const CalibrationTrials& trials, const fs::path& results)
-      : evidence_(trials, results), search_(trials.search()), course_(trials.calibration(), *search_) {}
+  Walk(const CalibrationTrials& trials, std::unique_ptr<Search> search, const fs::path& results)
+      : evidence_(trials, results), search_(std::move(search)), course_(trials.calibration(), *search_) {}
 
   /// The next batch as it stands; false at the end.
   bool propose(Host& host) {
@@ -148,9 +149,10 @@ fs::path calibration_folder(const CalibrationRequest& a, const CalibrationTrials
 StudyEnd run_calibration(const CalibrationRequest& a, const CalibrationTrials& trials, Host& host) {
   const LoadedCalibration& c = trials.calibration();
   const fs::path shown_folder = calibration_folder(a, trials);
+  std::unique_ptr<Search> search = trials.search();  // before a folder is made
   // The runs' folders are closed one by one, so that they can also be run by a workflow manager.
   ResultsFolder home(shown_folder, FolderRules{true, "calibration", calibration_file_names(), "cases"}, host);
-  Walk walk(trials, home.path());
+  Walk walk(trials, std::move(search), home.path());
   Run run(a, trials, home, walk, host);
   host.info(fmt::format("calibration `{}`: {} parameters, {} targets, {} workflows, at most {} runs", c.config.name,
                         c.parameters.size(), c.targets.size(), c.workflows.size(), plan_course(c).runs));
@@ -172,24 +174,26 @@ StudyEnd run_calibration(const CalibrationRequest& a, const CalibrationTrials& t
     const auto& points = walk.course().points();
     for (; told < points.size(); ++told) tell(c, points[told], told + 1, host);
   }
-  const CalibrationOutcome outcome = outcome_of(c, walk.course(), host);
+  const CalibrationOutcome outcome = outcome_of(trials, walk.course(), host);
   for (const fs::path& file :
        write_calibration(trials, walk.course(), walk.records(), outcome, whole, home.work(), shown_folder, host))
     host.info("made " + (shown_folder / file.lexically_relative(home.work())).string());
   home.take_over(true);
   for (const std::string& text : outcome.warnings) host.warn(text);
   for (std::size_t k = 0; k < outcome.best.size(); ++k)
-    host.info(fmt::format("{}: {}{}", c.parameters[k].name, outcome.best[k],
-                          outcome.has_model
-                              ? fmt::format(" (90 %: {} to {})", outcome.parameters[k].low, outcome.parameters[k].high)
-                              : ""));
+    host.info(fmt::format(
+        "{}: {}{}", c.parameters[k].name, shown(trials, k, outcome.best[k]),
+        outcome.has_model
+            ? fmt::format(" (90 %: {} to {})", shown(trials, k, outcome.parameters[k].low, digits_of_intervals),
+                          shown(trials, k, outcome.parameters[k].high, digits_of_intervals))
+            : ""));
   host.info(
       fmt::format("{} runs, {} of them failed; results in {}", outcome.runs, outcome.failed, shown_folder.string()));
   return whole && outcome.has_best ? StudyEnd::finished : StudyEnd::some_not;
 }
 
 std::string runs_so_far(const CalibrationRequest& a, const CalibrationTrials& trials, Host& host) {
-  Walk walk(trials, fs::absolute(calibration_folder(a, trials)));
+  Walk walk(trials, trials.search(), fs::absolute(calibration_folder(a, trials)));
   while (walk.propose(host) && walk.open().empty()) walk.take();
   return runs_csv(trials, walk.course(), walk.records());
 }
@@ -200,7 +204,7 @@ StudyEnd run_trial(const CalibrationRequest& a, const CalibrationTrials& trials,
   if (!a.trial.empty()) {
     trial = trials.from(Json::parse(a.trial, nullptr, false));
   } else {
-    Walk walk(trials, results);
+    Walk walk(trials, trials.search(), results);
     while (walk.records().size() < a.one && walk.propose(terminal) && walk.open().empty()) walk.take();
     if (a.one > walk.records().size())
       throw UserError(
@@ -217,7 +221,7 @@ StudyEnd run_trial(const CalibrationRequest& a, const CalibrationTrials& trials,
   return run_in_folder(
       {resolved.loaded, trials.registry(trial), results / "cases" / resolved.folder, resolved.hash, about,
        fmt::format("run {} of calibration `{}`", resolved.folder, trials.calibration().config.name), a.parent > 0,
-       false},
+       false, trials.calibration().run_time},
       terminal);
 }
 

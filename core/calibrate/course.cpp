@@ -114,7 +114,7 @@ std::vector<CoursePoint> Course::next(Host& host) {
     if (stage_ == 0 && have == 1)
       if (const auto scaled = scaled_start()) batch.push_back(make(Why::scaled, *scaled, std::size_t(budget.packings)));
     if (batch.size() == size) return batch;
-    for (const SearchPoint& place : calling({Search::kind, c_.config.search->type}, "proposing points",
+    for (const SearchPoint& place : calling({Search::kind, c_.search}, "proposing points",
                                             [&] { return search_.propose(size - batch.size(), host); }))
       batch.push_back(make(Why::search, place, std::size_t(budget.packings)));
     return batch;
@@ -248,7 +248,7 @@ std::vector<SearchEvaluation> Course::known(Host& host) {
 
 bool Course::learn(Host& host) {
   const std::vector<SearchEvaluation> all = known(host);
-  calling({Search::kind, c_.config.search->type}, "learning", [&] { search_.learn(task(), all, host); });
+  calling({Search::kind, c_.search}, "learning", [&] { search_.learn(task(), all, host); });
   return enough(all);
 }
 
@@ -256,8 +256,7 @@ bool Course::learn(Host& host) {
 /// every target.
 std::optional<SearchPoint> Course::best(Host& host) {
   if (learn(host))
-    return calling({Search::kind, c_.config.search->type}, "looking for the best point",
-                   [&] { return search_.best(host); });
+    return calling({Search::kind, c_.search}, "looking for the best point", [&] { return search_.best(host); });
   const CoursePoint* nearest = nullptr;
   double least = INFINITY;
   for (const CoursePoint& p : points_) {

@@ -12,6 +12,7 @@ namespace breccia {
 struct TrialResult {
   bool finished = false;
   std::string error;          ///< why not
+  bool out_of_time = false;   ///< it took longer than a run may
   std::vector<double> value;  ///< of each target, SI; NaN for those of other workflows and what was not measured
 };
 

@@ -31,6 +31,7 @@ TrialRecord Evidence::look(const Trial& t, Host& host) const {
   const CaseRecord record = read_case(folder(r), r.hash, host);
   r.state = record.state;
   r.result.error = record.error;
+  r.result.out_of_time = record.out_of_time;
   if (record.state != CaseState::finished) return r;
   Json summary;
   try {

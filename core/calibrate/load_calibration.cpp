@@ -92,6 +92,11 @@ class Checker {
     }
   }
 
+  void run_time() {
+    if (config_.budget.run_time)
+      loaded_.run_time = {*config_.budget.run_time, tree_.find("budget")->value->find("run_time")->value->text};
+  }
+
   void stages() {
     if (!config_.budget.stages) {
       loaded_.stages.push_back({"", "", 1, {}});
@@ -317,20 +322,28 @@ class Checker {
   std::vector<Finding>& findings_;
 };
 
-/// The one that nobody had to name.
-PluginChoice usual_search(const Registry& registry, const std::string& file) {
+constexpr const char* usual = "kriging";
+
+bool has_usual_search(const Registry& registry) {
   const std::vector<std::string> names = registry.names("search");
-  if (std::find(names.begin(), names.end(), "kriging") == names.end())
-    throw UserError(file +
-                    ": the search `kriging` is not installed: Breccia was built without OpenTURNS (Debian's "
-                    "libopenturns-dev)" +
-                    (names.empty() ? "" : "; name another under `search`: " + list_of(names)));
-  struct Config {
-    PluginChoice search;
-  };
-  Schema<Config> schema;
-  schema.param("search", &Config::search).kind("search").doc("what proposes the points");
-  return schema.load(read_config("search: {type: kriging}\n", file, schema.documentation().root, registry)).search;
+  return std::find(names.begin(), names.end(), usual) != names.end();
+}
+
+/// What a user can do where the usual search is not installed.
+std::string why_no_usual_search(const Registry& registry) {
+  const std::vector<std::string> others = registry.names("search");
+  return "the search `kriging` is not installed, since this Breccia was built without OpenTURNS. Install OpenTURNS "
+         "(Debian's libopenturns-dev) and build Breccia again with -DBRECCIA_OPENTURNS=ON, or name " +
+         (others.empty() ? "a search of your own under `search` (`breccia new search NAME` begins one)"
+                         : "another one under `search`: " + list_of(others));
+}
+
+/// The usual one by its name, where it is not installed: that its name is not known would say too little.
+void refuse_named_without_it(const InputFile& file, const Registry& registry) {
+  const YamlEntry* search = file.tree->find("search");
+  const YamlEntry* type = search ? search->value->find("type") : nullptr;
+  if (type && type->value->text == usual && !has_usual_search(registry))
+    refuse({{type->value->place, "search.type", why_no_usual_search(registry)}}, {file});
 }
 
 void refuse_others(const BaseChain& chain, const std::string& file) {
@@ -346,12 +359,26 @@ void refuse_others(const BaseChain& chain, const std::string& file) {
 
 }  // namespace
 
+PluginChoice search_of(const LoadedCalibration& loaded, const Registry& registry) {
+  if (loaded.config.search) return *loaded.config.search;
+  const std::string file = loaded.path.string();
+  if (loaded.search.empty()) throw UserError(file + ": nothing proposes the points: " + why_no_usual_search(registry));
+  struct Config {
+    PluginChoice search;
+  };
+  Schema<Config> schema;
+  schema.param("search", &Config::search).kind("search").doc("what proposes the points");
+  const std::string text = "search: {type: " + loaded.search + "}\n";
+  return schema.load(read_config(text, file, schema.documentation().root, registry)).search;
+}
+
 LoadedCalibration load_calibration(const fs::path& file, Registry& registry) {
   const BaseChain chain = single_file(read_text(file), file.string(), "calibration");
   refuse_others(chain, file.string());
   if (chain.whole)
     for (const Json& plugin : read_section(chain, calibration_schema(), "plugins"))
       registry.add(plugin.at("path").get<std::string>());
+  if (chain.whole) refuse_named_without_it(chain.files[0], registry);
   const Json config = read_config(chain, calibration_schema(), registry);
   Schema<Calibration> schema;
   Calibration::describe(schema);
@@ -360,7 +387,8 @@ LoadedCalibration load_calibration(const fs::path& file, Registry& registry) {
   loaded.file = chain.files[0];
   loaded.path = file;
   if (loaded.config.name.empty()) loaded.config.name = file.stem().string();
-  if (!loaded.config.search) loaded.config.search = usual_search(registry, file.string());
+  if (loaded.config.search) loaded.search = loaded.config.search->type;
+  else if (has_usual_search(registry)) loaded.search = usual;
   std::vector<Finding> findings;
   Checker checker(loaded, findings);
   checker.name();
@@ -368,6 +396,7 @@ LoadedCalibration load_calibration(const fs::path& file, Registry& registry) {
   checker.targets();
   checker.parameters();
   checker.stages();
+  checker.run_time();
   if (findings.empty()) {
     try {
       plan_course(loaded);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibrate/shown_values.hpp"
+
 namespace breccia {
 
 namespace {
@@ -37,7 +39,8 @@ std::vector<std::size_t> not_dominated(const std::vector<std::vector<double>>& d
 
 class Finder {
  public:
-  Finder(const LoadedCalibration& c, Course& course, Host& host) : c_(c), course_(course), host_(host) {}
+  Finder(const CalibrationTrials& trials, Course& course, Host& host)
+      : trials_(trials), c_(trials.calibration()), course_(course), host_(host) {}
 
   CalibrationOutcome operator()() {
     out_.parameters.resize(c_.parameters.size());
@@ -62,6 +65,7 @@ class Finder {
       for (const TrialResult& r : p.results) {
         ++out_.runs;
         out_.failed += !r.finished;
+        out_.out_of_time += r.out_of_time;
       }
     }
   }
@@ -171,6 +175,12 @@ class Finder {
     if (out_.failed > 0)
       warn(fmt::format("{} of {} runs have failed; runs.csv says which and why. Their points count as unknown.",
                        out_.failed, out_.runs));
+    if (out_.out_of_time > 0)
+      warn(fmt::format(
+          "{} of the failed runs took longer than `run_time` of the budget{}. How long a run takes depends on the "
+          "machine and on what else it does: made anew, this calibration may take another path. In this folder it is "
+          "kept which runs were ended, and the path stays.",
+          out_.out_of_time, c_.run_time.text.empty() ? "" : ", " + c_.run_time.text));
     if (!out_.has_best) {
       warn("There is no best point: no point has a value of every target.");
       return;
@@ -211,11 +221,11 @@ class Finder {
     }
     if (p.share < at_bound || p.share > 1 - at_bound)
       out_.warnings.push_back(fmt::format("The best `{}`, {}, is at the {} end of its range: widen the range.", name,
-                                          p.best, p.share < 0.5 ? "lower" : "upper"));
+                                          shown(trials_, k, p.best), p.share < 0.5 ? "lower" : "upper"));
     else if (p.high_share - p.low_share > 0.8 && !contradict_)
       out_.warnings.push_back(fmt::format(
           "`{}` is not told by these targets: values from {} to {} agree with them about as well as the best.", name,
-          p.low, p.high));
+          shown(trials_, k, p.low, digits_of_intervals), shown(trials_, k, p.high, digits_of_intervals)));
   }
 
   void say_of_target(std::size_t t) {
@@ -234,7 +244,7 @@ class Finder {
           "The scatter of packings is too large for the budget: `{}` varies by {} from one packing to another, more "
           "than "
           "{} packings of the check average out below the experiment's {}. Take larger specimens or more `packings`.",
-          name, shown(m, o.scatter, 2), o.packings, shown(m, m.scatter, 2)));
+          name, shown(m, o.scatter, digits_of_errors), o.packings, shown(m, m.scatter, digits_of_errors)));
     else if (o.error > wanted)
       out_.warnings.push_back(fmt::format(
           "The budget is too small: at the best point the model knows `{}` no better than to {:.1f} times its scatter.",
@@ -248,6 +258,7 @@ class Finder {
                       name, shown(m, o.measured), shown(m, m.value), std::abs(o.residual) * wanted / spread));
   }
 
+  const CalibrationTrials& trials_;
   const LoadedCalibration& c_;
   Course& course_;
   Host& host_;
@@ -259,17 +270,12 @@ class Finder {
 
 }  // namespace
 
-std::string shown(const TargetMeasure& m, double si, int digits) {
-  if (!std::isfinite(si)) return "not measured";
-  return fmt::format("{:.{}g}{}{}", si / m.factor, digits, m.written.empty() ? "" : " ", m.written);
-}
-
 double residual_of(const TargetMeasure& m, double on_scale) {
   return (on_scale - m.of(m.value)) / m.scatter_on_scale();
 }
 
-CalibrationOutcome outcome_of(const LoadedCalibration& c, Course& course, Host& host) {
-  return Finder(c, course, host)();
+CalibrationOutcome outcome_of(const CalibrationTrials& trials, Course& course, Host& host) {
+  return Finder(trials, course, host)();
 }
 
 }  // namespace breccia

@@ -36,13 +36,11 @@ struct CalibrationOutcome {
   std::vector<ParetoPoint> front;     ///< only where targets contradict each other
   std::vector<std::string> warnings;  ///< in plain sentences
   std::size_t runs = 0, failed = 0, points = 0;
+  std::size_t out_of_time = 0;  ///< of those that failed
 };
 
 /// Of a course that has come to its end, or as far as it has come.
-CalibrationOutcome outcome_of(const LoadedCalibration& c, Course& course, Host& host);
-
-/// "118.2 MPa": a value of a target in the unit of the file, to that many digits.
-std::string shown(const TargetMeasure& m, double si, int digits = 4);
+CalibrationOutcome outcome_of(const CalibrationTrials& trials, Course& course, Host& host);
 
 /// Distance from the wanted value, in units of the experiment's scatter.
 double residual_of(const TargetMeasure& m, double on_scale);

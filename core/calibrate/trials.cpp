@@ -33,7 +33,7 @@ CalibrationTrials::CalibrationTrials(const fs::path& file) : calibration_(load_c
   try_the_range();
 }
 
-std::unique_ptr<Search> CalibrationTrials::search() const { return own_.create<Search>(*calibration_.config.search); }
+std::unique_ptr<Search> CalibrationTrials::search() const { return own_.create<Search>(search_of(calibration_, own_)); }
 
 const Registry& CalibrationTrials::registry_with(const std::vector<fs::path>& plugins) const {
   auto& registry = registries_[plugins];

@@ -34,7 +34,8 @@ class CalibrationTrials {
   explicit CalibrationTrials(const std::filesystem::path& file);
 
   const LoadedCalibration& calibration() const { return calibration_; }
-  std::unique_ptr<Search> search() const;  ///< that of the calibration, made anew
+  /// That of the calibration, made anew. UserError where it names none and the usual one is not installed.
+  std::unique_ptr<Search> search() const;
   const Registry& registry(const Trial& t) const;
   /// Checked as `--set` would have it. UserError with what is wrong.
   ResolvedTrial resolve(const Trial& t) const;

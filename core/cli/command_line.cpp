@@ -117,13 +117,14 @@ int cli::with_command_line(const std::function<int(CLI::App&, const int&)>& use)
   verb->callback([&] { code = cli::compare(compare); });
 
   cli::ReportArguments report;
-  verb = app.add_subcommand("report", "Write a report of a run or a study: one HTML file, and a paragraph for a paper");
+  verb = app.add_subcommand(
+      "report", "Write a report of a run, a study or a calibration: one HTML file, and a paragraph for a paper");
   verb->footer(
       "Makes report.html (results, charts, pictures, model, energy balance, warnings, input, versions; one file that\n"
       "needs no other), methods.md (for the methods section of a paper) and ro-crate-metadata.json (for repositories)\n"
       "in the folder of the results. With -o: FILE.html and FILE.methods.md, and nothing in that folder.\n"
       "Example: breccia report results/my --author \"A. Name\" --licence CC-BY-4.0");
-  verb->add_option("DIR", report.folder, "result folder of a run or a study")->required();
+  verb->add_option("DIR", report.folder, "result folder of a run, a study or a calibration")->required();
   verb->add_option("-o,--output", report.output, "the report; default: report.html among the results")
       ->type_name("HTML");
   verb->add_flag("--overwrite", report.overwrite, "replace an earlier report");

@@ -23,8 +23,10 @@ int validate(const std::vector<std::filesystem::path>& files, const std::vector<
                           ": is a calibration, which says itself which variants it runs: leave out --variant");
         const CalibrationTrials trials(file);
         for (const std::string& doubt : trials.warnings()) fmt::print(stderr, "warning: {}\n", printable(doubt));
-        fmt::print("{}: ok, a calibration of at most {} runs\n", printable(file.string()),
-                   plan_course(trials.calibration()).runs);
+        fmt::print(
+            "{}: ok, a calibration of at most {} runs{}\n", printable(file.string()),
+            plan_course(trials.calibration()).runs,
+            !trials.calibration().search.empty() ? "" : "; to run it needs a search, which is not installed here");
         continue;
       }
       if (is_study(follow_bases(read_text(file), file.string()))) {

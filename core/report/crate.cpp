@@ -52,6 +52,10 @@ std::string said_of_file(const std::string& file) {
       {"run.log", "What the run said"},
       {"cases.csv", "The cases of the study and their parameters"},
       {"results.csv", "Parameters, status and results of each case"},
+      {"calibration.json", "What the calibration found: parameters with intervals, targets, sensitivities, in SI"},
+      {"points.csv", "The points of the calibration in their order, with means and deviations of each target"},
+      {"runs.csv", "Every run of the calibration: parameters, status and results"},
+      {"pareto.csv", "Points at which no target comes nearer without another going farther, by the model"},
       {"report.html", "Report for a human reader, with all charts and pictures in it"},
       {"methods.md", "Paragraph for the methods section of a paper"}};
   for (const auto& [name, text] : known)
@@ -155,10 +159,7 @@ Json crate_metadata(const CrateContent& content, const ReportFacts& facts) {
   crate.add(std::move(root));
   for (const std::string& file : content.files) crate.add_file(content.folder, file, file == "resolved.yaml");
   for (const std::string& folder : content.folders)
-    crate.add({{"@id", uri_of(folder) + "/"},
-               {"@type", "Dataset"},
-               {"name", folder},
-               {"description", "Results of one case of the study"}});
+    crate.add({{"@id", uri_of(folder) + "/"}, {"@type", "Dataset"}, {"name", folder}, {"description", content.part}});
   for (std::size_t k = 0; k < facts.authors.size(); ++k)
     crate.add({{"@id", "#author-" + std::to_string(k + 1)}, {"@type", "Person"}, {"name", facts.authors[k]}});
   if (!facts.licence.empty()) crate.add(licence_entity(facts.licence));

@@ -10,9 +10,10 @@ namespace breccia::report {
 struct CrateContent {
   std::string name, description;
   std::filesystem::path folder;
-  std::vector<std::string> files;    ///< relative to it
-  std::vector<std::string> folders;  ///< of cases, relative to it
-  const RunFiles* run = nullptr;     ///< that made the files; of a study an example of its cases
+  std::vector<std::string> files;                         ///< relative to it
+  std::vector<std::string> folders;                       ///< of cases, relative to it
+  const RunFiles* run = nullptr;                          ///< that made the files; of a study an example of its cases
+  std::string part = "Results of one case of the study";  ///< what each of `folders` holds
 };
 
 Json crate_metadata(const CrateContent& content, const ReportFacts& facts);

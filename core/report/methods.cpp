@@ -18,7 +18,7 @@ std::string type_of(const Json& section) {
              : std::string();
 }
 
-std::string si(double value, const char* unit) { return quantity(value, unit).text(); }
+std::string si(double value, const char* unit) { return shown_quantity(value, unit).text(); }
 
 std::string number(double value) { return number_text(value); }
 
@@ -73,7 +73,7 @@ std::string packing_text(const RunFiles& run) {
   if (!std::isnan(mean)) {
     text += " Their radii had a mean of " + si(mean, "m");
     if (const double sd = run.number("packing.radius_standard_deviation.got"); !std::isnan(sd))
-      text += " and a standard deviation of " + quantity(sd, "m", mean).text();
+      text += " and a standard deviation of " + shown_quantity(sd, "m", mean).text();
     if (!std::isnan(least) && !std::isnan(most))
       text +=
           ", from " + si(least, "m") + " to " + si(most, "m") + " (size ratio " + number_text(most / least, 3) + ")";

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "plugin/registry.hpp"
+#include "report/calibration_files.hpp"
 #include "report/study_files.hpp"
 
 namespace breccia::report {
@@ -12,6 +13,8 @@ namespace breccia::report {
 std::vector<std::string> methods_text(const RunFiles& run);
 /// Of a study: what was varied, what the specimens came to, and one case of each workflow for all else.
 std::vector<std::string> methods_text(const StudyFiles& study);
+/// Of a calibration: what was sought and found, and one run of each workflow for all else.
+std::vector<std::string> methods_text(const CalibrationFiles& calibration);
 
 std::string methods_html(const std::vector<std::string>& paragraphs);
 /// With the sources of the models below.

@@ -51,14 +51,21 @@ Texts texts_of_run(const ReportRequest& request, const Registry& registry, const
   return texts;
 }
 
+/// Of all models, each once.
+std::vector<std::pair<std::string, std::string>> sources_of(const std::vector<RunFiles>& runs,
+                                                            const Registry& registry) {
+  std::vector<std::pair<std::string, std::string>> sources;
+  for (const RunFiles& run : runs)
+    for (auto& source : model_sources(run, registry))
+      if (std::find(sources.begin(), sources.end(), source) == sources.end()) sources.push_back(std::move(source));
+  return sources;
+}
+
 Texts texts_of_study(const ReportRequest& request, const Registry& registry, const ReportFacts& facts, Host& host) {
   const StudyFiles study = read_study_files(request.folder);
   Texts texts;
   const std::vector<std::string> paragraphs = methods_text(study);
-  std::vector<std::pair<std::string, std::string>> sources;
-  for (const RunFiles& run : study.examples)
-    for (auto& source : model_sources(run, registry))
-      if (std::find(sources.begin(), sources.end(), source) == sources.end()) sources.push_back(std::move(source));
+  const auto sources = sources_of(study.examples, registry);
   texts.page = study_page(study, figures_of(study.folder, study.files, registry, "figure-", host),
                           methods_html(paragraphs), registry, facts);
   texts.methods = methods_markdown(study.name, paragraphs, sources);
@@ -77,6 +84,36 @@ Texts texts_of_study(const ReportRequest& request, const Registry& registry, con
   return texts;
 }
 
+Texts texts_of_calibration(const ReportRequest& request, const Registry& registry, const ReportFacts& facts,
+                           Host& host) {
+  const CalibrationFiles c = read_calibration_files(request.folder);
+  Texts texts;
+  const std::vector<std::string> paragraphs = methods_text(c);
+  std::vector<std::pair<std::string, std::string>> sources = sources_of(c.examples, registry);
+  for (auto& source : search_source(c.search(), registry)) sources.push_back(std::move(source));
+  texts.page = calibration_page(c, figures_of(c.folder, c.files, registry, "figure-", host), methods_html(paragraphs),
+                                registry, facts);
+  texts.methods = methods_markdown(c.name, paragraphs, sources);
+  std::vector<std::string> folders;
+  std::error_code unknown;
+  for (std::size_t r = 0; r < c.runs.rows.size(); ++r)
+    if (const std::string run = c.runs.cell(r, "folder"); fs::is_directory(c.folder / "cases" / run, unknown))
+      folders.push_back("cases/" + run);
+  texts.crate = {c.name,
+                 "Results of the Breccia calibration " + c.name + ", " + std::to_string(c.count("runs")) + " runs",
+                 c.folder,
+                 c.files,
+                 folders,
+                 nullptr,
+                 "Results of one run of the calibration"};
+  if (!c.examples.empty()) texts.run = c.examples[0];
+  return texts;
+}
+
+bool is_calibration_folder(const fs::path& folder) {
+  return kind_of_results(folder) == "calibration" || fs::exists(folder / "calibration.json");
+}
+
 bool is_study_folder(const fs::path& folder) {
   return !fs::exists(folder / "summary.json") &&
          (kind_of_results(folder) == "study" || fs::is_directory(folder / "cases"));
@@ -91,11 +128,8 @@ void refuse_what_is_no_result(const fs::path& folder) {
   if (kind_of_results(folder) == "comparison")
     throw UserError(
         name + " holds a comparison, which is a report already (comparison.md); give the folder of a run or a study");
-  if (kind_of_results(folder) == "calibration")
-    throw UserError(
-        name + " holds a calibration, which has a report already (report.md); give the folder of a run or a study, " +
-        "such as one of " + (folder / "cases").string());
-  if (!is_study_folder(folder) && !fs::exists(folder / "summary.json")) (void)read_run_files(folder);  // says why
+  if (!is_calibration_folder(folder) && !is_study_folder(folder) && !fs::exists(folder / "summary.json"))
+    (void)read_run_files(folder);  // says why
 }
 
 /// The page's name with another ending: several reports may stand in one folder.
@@ -145,8 +179,9 @@ std::vector<fs::path> write_report(const ReportRequest& request, const Registry&
   }
 
   const ReportFacts facts{request.authors, request.licence, today()};
-  Texts texts = is_study_folder(request.folder) ? texts_of_study(request, registry, facts, host)
-                                                : texts_of_run(request, registry, facts, host);
+  Texts texts = is_calibration_folder(request.folder) ? texts_of_calibration(request, registry, facts, host)
+                : is_study_folder(request.folder)     ? texts_of_study(request, registry, facts, host)
+                                                      : texts_of_run(request, registry, facts, host);
   if (host.cancelled()) throw Cancelled();
   write_file(files[0], texts.page);
   write_file(files[1], texts.methods);

@@ -2,6 +2,7 @@
 /// The pages of a report.
 #pragma once
 
+#include "report/calibration_files.hpp"
 #include "report/figures.hpp"
 #include "report/run_files.hpp"
 #include "report/study_files.hpp"
@@ -20,6 +21,8 @@ std::string run_page(const RunFiles& run, const std::vector<Figure>& figures, co
                      const Registry& registry, const ReportFacts& facts);
 std::string study_page(const StudyFiles& study, const std::vector<Figure>& figures, const std::string& methods,
                        const Registry& registry, const ReportFacts& facts);
+std::string calibration_page(const CalibrationFiles& calibration, const std::vector<Figure>& figures,
+                             const std::string& methods, const Registry& registry, const ReportFacts& facts);
 
 std::string heading(std::string_view kind, std::string_view title, const std::vector<std::string>& authors,
                     const std::string& about);

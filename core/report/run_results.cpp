@@ -25,7 +25,7 @@ bool told_elsewhere(const std::string& key) {
 /// A number, or what a reader should know instead of one.
 std::string cell(const Json& v, const std::string& unit, double like = 0) {
   if (v.is_boolean()) return v.get<bool>() ? "yes" : "no";
-  if (v.is_number()) return quantity(v.get<double>(), unit, like).text();
+  if (v.is_number()) return shown_quantity(v.get<double>(), unit, like).text();
   if (v.is_null()) return "<span class=\"soft\">not measured</span>";
   return v.is_string() ? escaped(v.get<std::string>()) : "";
 }
@@ -79,7 +79,7 @@ std::string tiles(const RunFiles& run) {
   int count = 0;
   for (const Result& r : headline_results(run)) {
     if (!r.value.is_number() || count == 4) continue;
-    const Quantity q = quantity(r.value.get<double>(), r.unit);
+    const ShownQuantity q = shown_quantity(r.value.get<double>(), r.unit);
     out += "<li><span>" + escaped(r.title) + "</span><b>" + q.number +
            (q.unit.empty() ? "" : " <small>" + q.unit + "</small>") + "</b></li>\n";
     ++count;
@@ -186,7 +186,7 @@ std::string energy_part(const RunFiles& run) {
     const double part = whole != 0 ? value / whole : 0;
     const int width = std::clamp(int(std::lround(100 * part)), 0, 100);
     std::vector<std::string> row{
-        title, quantity(value, "J", largest).text(), whole != 0 ? percent_text(part) : "",
+        title, shown_quantity(value, "J", largest).text(), whole != 0 ? percent_text(part) : "",
         foot ? "" : "<span class=\"bar\"><i style=\"width:" + std::to_string(width) + "%\"></i></span>"};
     foot ? table.foot(row) : table.row(row);
   };
@@ -215,14 +215,18 @@ std::string other_numbers(const RunFiles& run) {
   return foldable("All other numbers that were measured", table.html());
 }
 
-std::string warnings_part(const RunFiles& run) {
-  const Json warnings = run.result("warnings");
+std::string warnings_list(const Json& warnings) {
   std::string out;
   if (warnings.is_array())
     for (const Json& w : warnings)
       if (w.is_string()) out += "<li class=\"note\">" + escaped(w.get<std::string>()) + "</li>\n";
-  if (!out.empty()) return "<ul class=\"warnings\">\n" + out + "</ul>\n";
-  return warnings.is_array() ? paragraph("The run gave none.") : std::string();
+  return out.empty() ? out : "<ul class=\"warnings\">\n" + out + "</ul>\n";
+}
+
+std::string warnings_part(const RunFiles& run) {
+  const Json warnings = run.result("warnings");
+  const std::string list = warnings_list(warnings);
+  return list.empty() && warnings.is_array() ? paragraph("The run gave none.") : list;
 }
 
 }  // namespace breccia::report

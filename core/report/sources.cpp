@@ -42,7 +42,7 @@ std::string computation_part(const RunFiles& run) {
   };
   const auto seconds = [&](const std::string& path) {
     const double v = run.number(path);
-    return std::isnan(v) ? std::string() : quantity(v, "s").text();
+    return std::isnan(v) ? std::string() : shown_quantity(v, "s").text();
   };
   add("Time step", seconds("time_step_s"));
   add("Critical time step", seconds("critical_time_step_s"));
@@ -94,11 +94,20 @@ std::vector<std::pair<std::string, std::string>> model_sources(const RunFiles& r
   return all;
 }
 
+std::vector<std::pair<std::string, std::string>> search_source(const std::string& search, const Registry& registry) {
+  try {
+    const std::string& source = registry.documentation("search", search).source;
+    if (!source.empty()) return {{"search `" + search + "`", source}};
+  } catch (const UserError&) {}  // it is not here, or the results do not name it
+  return {};
+}
+
 std::string citation_text(const std::string& version) {
   return std::string(citation_authors) + ": " + citation_title + (version.empty() ? "" : ", version " + version) + ".";
 }
 
-std::string citation_part(const RunFiles& run, const Registry& registry) {
+std::string citation_part(const RunFiles& run, const Registry& registry,
+                          const std::vector<std::pair<std::string, std::string>>& more) {
   const std::string commit =
       run.result("environment.commit").is_string() ? run.result("environment.commit").get<std::string>() : "";
   std::string out = paragraph("If you publish these results, please cite the program and the papers of the models:") +
@@ -107,7 +116,9 @@ std::string citation_part(const RunFiles& run, const Registry& registry) {
                     "</blockquote>\n";
   Table table("Sources of the models, as the plugins state them");
   table.column("Model").column("Source");
-  for (const auto& [name, source] : model_sources(run, registry)) {
+  auto sources = model_sources(run, registry);
+  sources.insert(sources.end(), more.begin(), more.end());
+  for (const auto& [name, source] : sources) {
     std::string plain = name;
     std::erase(plain, '`');
     table.row({escaped(capital(plain)), escaped(source)});

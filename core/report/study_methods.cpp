@@ -33,8 +33,8 @@ std::string values_text(const StudyColumn& column, const std::vector<Json>& valu
   for (const Json& v : values) sorted.push_back(v.get<double>());
   std::sort(sorted.begin(), sorted.end());
   const double like = std::max(std::abs(sorted.front()), std::abs(sorted.back()));
-  const std::string unit = quantity(like, column.unit).unit, behind = unit.empty() ? "" : "\u00A0" + unit;
-  for (const double v : sorted) words.push_back(quantity(v, column.unit, like).number);
+  const std::string unit = shown_quantity(like, column.unit).unit, behind = unit.empty() ? "" : "\u00A0" + unit;
+  for (const double v : sorted) words.push_back(shown_quantity(v, column.unit, like).number);
   if (words.size() > most_listed)
     return std::to_string(words.size()) + " values from " + words.front() + " to " + words.back() + behind;
   return listed(words) + behind;
@@ -55,7 +55,7 @@ std::string achieved_text(const StudyFiles& study, const char* key, const char* 
     if (numbers.empty()) return {};
     const double least = *std::min_element(numbers.begin(), numbers.end()),
                  most = *std::max_element(numbers.begin(), numbers.end());
-    const auto shown = [&](double v) { return quantity(v, study.values[k].unit, most).text(); };
+    const auto shown = [&](double v) { return shown_quantity(v, study.values[k].unit, most).text(); };
     if (shown(least) == shown(most)) return what + std::string(" of ") + shown(least);
     return what + std::string(" from ") + shown(least) + " to " + shown(most);
   }

@@ -21,11 +21,11 @@ double largest_size(const std::vector<double>& numbers) {
 class Shown {
  public:
   Shown(const StudyColumn& column, double largest) : unit_(column.unit), like_(largest) {
-    const std::string unit = quantity(largest, unit_).unit;
+    const std::string unit = shown_quantity(largest, unit_).unit;
     title_ = capital(column.title) + (unit.empty() ? "" : " (" + unit + ")");
   }
   const std::string& title() const { return title_; }
-  std::string number(double value) const { return quantity(value, unit_, like_).number; }
+  std::string number(double value) const { return shown_quantity(value, unit_, like_).number; }
   std::string cell(const Json& v) const {
     if (v.is_number()) return number(v.get<double>());
     return v.is_string() ? escaped(v.get<std::string>()) : "";

@@ -43,10 +43,11 @@ CaseRecord read_case(const fs::path& folder, const std::string& hash, Host& host
   const Json latest = growing.empty() ? Json::object() : read_json(growing / case_file);
   for (const Json& about : {latest, whole}) {
     if (text_of(about, "inputs_sha256") != hash) continue;
-    if (text_of(about, "status") == "failed") return {CaseState::failed, text_of(about, "error"), is_finished};
-    return {CaseState::unfinished, "", is_finished};
+    if (text_of(about, "status") == "failed")
+      return {CaseState::failed, text_of(about, "error"), about.value("out_of_time", Json()) == true, is_finished};
+    return {CaseState::unfinished, "", false, is_finished};
   }
-  if (is_finished) return {CaseState::other_inputs, "", true};
+  if (is_finished) return {CaseState::other_inputs, "", false, true};
   return {CaseState::unfinished, ""};
 }
 

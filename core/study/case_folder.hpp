@@ -22,6 +22,7 @@ enum class CaseState {
 struct CaseRecord {
   CaseState state = CaseState::absent;
   std::string error;          ///< of a failed case, whole
+  bool out_of_time = false;   ///< it failed because it took longer than it may
   bool others_there = false;  ///< finished results of other inputs are in the folder
 };
 
@@ -49,7 +50,10 @@ class CaseFolder {
   /// For `RunOptions::whole`.
   std::filesystem::path whole(bool stopped);
   void finished() { end("finished", ""); }
-  void failed(const std::string& error) { end("failed", error); }
+  void failed(const std::string& error, bool out_of_time = false) {
+    if (out_of_time) about_["out_of_time"] = true;
+    end("failed", error);
+  }
   void interrupted() { end("interrupted", ""); }
 
  private:

@@ -5,6 +5,7 @@
 
 #include "run/terminal.hpp"
 #include "study/case_folder.hpp"
+#include "study/run_time.hpp"
 
 namespace breccia {
 
@@ -19,6 +20,7 @@ struct FolderRun {
   std::string named;       ///< "case 3 of study `friction`"
   bool wait = false;       ///< for another process that is about to leave the folder
   bool overwrite = false;  ///< finished results of other inputs
+  RunTime at_most = {};    ///< from the moment at which this process has the folder, packing included
 };
 
 /// Runs it, or goes on where it stopped; nothing when it has finished before.

@@ -46,14 +46,22 @@ TEST(Html, TablesHaveHeadersForRowsAndColumns) {
 }
 
 TEST(Numbers, AsPeopleReadThem) {
-  EXPECT_EQ(quantity(2.37149615e8, "Pa").text(), "237.1\u00A0MPa");
-  EXPECT_EQ(quantity(1.372e-7, "s").text(), "137.2\u00A0ns");
-  EXPECT_EQ(quantity(0.0008, "m").text(), "0.8\u00A0mm");
-  EXPECT_EQ(quantity(2650, "kg/m3").text(), "2650\u00A0kg/m³");
-  EXPECT_EQ(quantity(0, "Pa").text(), "0\u00A0Pa");
-  EXPECT_EQ(quantity(std::acos(-1.0) / 6, "rad").text(), "30°");
-  EXPECT_EQ(quantity(-3e6, "Pa").text(), "−3\u00A0MPa");
-  EXPECT_EQ(quantity(0.5e6, "Pa", 100e6).text(), "0.5\u00A0MPa") << "in the unit of the number beside it";
+  EXPECT_EQ(shown_quantity(2.37149615e8, "Pa").text(), "237.1\u00A0MPa");
+  EXPECT_EQ(shown_quantity(1.372e-7, "s").text(), "137.2\u00A0ns");
+  EXPECT_EQ(shown_quantity(0.0008, "m").text(), "0.8\u00A0mm");
+  EXPECT_EQ(shown_quantity(2650, "kg/m3").text(), "2650\u00A0kg/m³");
+  EXPECT_EQ(shown_quantity(0, "Pa").text(), "0\u00A0Pa");
+  EXPECT_EQ(shown_quantity(std::acos(-1.0) / 6, "rad").text(), "30°");
+  EXPECT_EQ(shown_quantity(-3e6, "Pa").text(), "−3\u00A0MPa");
+  EXPECT_EQ(shown_quantity(0.5e6, "Pa", 100e6).text(), "0.5\u00A0MPa") << "in the unit of the number beside it";
+  const ChosenUnit mpa{"MPa", 1e6}, pa{"Pa", 1};
+  EXPECT_EQ(shown_quantity(1.2e9, "Pa", mpa, 2e8).text(" "), "1200 MPa") << "as the user has it";
+  EXPECT_EQ(shown_quantity(7.3176e10, "Pa", pa, 7.3176e10).text(" "), "73.18 GPa") << "nobody reads 7.318e+10 Pa";
+  EXPECT_EQ(shown_quantity(6.62e8, "Pa", pa, 7.3176e10, 2).text(" "), "0.66 GPa");
+  EXPECT_EQ(shown_quantity(1.3807e9, "Pa", mpa, 1.5e9, 3).text(" "), "1380 MPa");
+  EXPECT_EQ(shown_quantity(1.234e8, "Pa", mpa, 1.5e9, 2).text(" "), "120 MPa");
+  EXPECT_EQ(shown_quantity(0.5, "rad", {"deg", 0.01745329251994}, 0.5, 3).text(" "), "28.6°");
+  EXPECT_EQ(shown_quantity(0.2, "1", ChosenUnit{}, 1).text(" "), "0.2");
   EXPECT_EQ(number_text(2.18e-5), "2.18\u00A0×\u00A010⁻⁵");
   EXPECT_EQ(number_text(10225), "10225") << "a count keeps its digits";
   EXPECT_EQ(number_text(std::nan("")), "–");

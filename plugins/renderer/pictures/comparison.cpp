@@ -2,6 +2,7 @@
 #include "comparison.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include "breccia/error.hpp"
 #include "chart_pictures.hpp"
@@ -76,6 +77,7 @@ Chart study_chart(const StudyChart& study) {
     most_y = std::max(most_y, largest(s.y));
   }
   const auto unit = [](const StudyChart::Axis& axis, double most) {
+    if (axis.unit == "rad") return ShownUnit{180 / std::numbers::pi, "°"};
     return axis.unit == "1" ? ShownUnit{} : shown_unit(axis.unit, most);
   };
   const ShownUnit across = unit(study.x, most_x), up = unit(study.y, most_y);
