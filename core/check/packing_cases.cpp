@@ -45,15 +45,15 @@ constexpr Form forms[] = {
     {"box", "{shape: box, size: [20 mm, 30 mm]}", 2, true, "2D, box, periodic"},
 };
 
-/// The particles of a form as a table, in millimetres.
-std::filesystem::path write_particles(const std::filesystem::path& folder, const Form& form) {
-  const PackedParticles p = made_packing({"", form.dimension, SpecimenShape::Outline::box, form.periodic}, true);
+/// The particles of a form as a table, in millimetres; `repeats`: of a cell that repeats itself.
+std::filesystem::path write_particles(const std::filesystem::path& folder, const Form& form, bool repeats) {
+  const PackedParticles p = made_packing({"", form.dimension, SpecimenShape::Outline::box, repeats}, true);
   std::string text = "x,y,z,radius\n";
   for (std::size_t k = 0; k < p.radius.size(); ++k)
     text += fmt::format("{:.17g},{:.17g},{:.17g},{:.17g}\n", 1e3 * p.position[k].x(), 1e3 * p.position[k].y(),
                         1e3 * p.position[k].z(), 1e3 * p.radius[k]);
   const std::filesystem::path file =
-      folder / fmt::format("particles_{}{}.csv", form.dimension, form.periodic ? "_periodic" : "");
+      folder / fmt::format("particles_{}{}.csv", form.dimension, repeats ? "_periodic" : "");
   write_file(file, text);
   return file;
 }
@@ -65,17 +65,19 @@ std::optional<Container> container_of(const Json& config, int dimension) {
   return schema.load(config["container"]).make(dimension);
 }
 
-std::optional<std::string> preset(const ParamSpec& p, const Form& form, bool fill,
+/// `repeats`: the particles that it is given do, which they may also where the specimen does not.
+std::optional<std::string> preset(const ParamSpec& p, const Form& form, bool fill, bool repeats,
                                   const std::filesystem::path& folder) {
   if (p.name == "container" && fill) return form.container;
   // Rather than a number of particles; so loose that small containers can be filled.
   if (p.name == "porosity") return form.dimension == 2 ? "0.24" : "0.48";
   if (p.type == ParamType::path && p.required && p.example.ends_with(".csv"))
-    return "'" + write_particles(folder, form).string() + "'";
+    return "'" + write_particles(folder, form, repeats).string() + "'";
   if (p.name == "period" && p.type == ParamType::quantity_list) {
-    if (!form.periodic) return {};
+    if (!repeats) return {};
     const Vec3 length = made_packing({"", form.dimension, SpecimenShape::Outline::box, true}, true).period;
-    return fmt::format("[{} m, {} m, {} m]", length.x(), length.y(), length.z());
+    return form.dimension == 2 ? fmt::format("[{} m, {} m]", length.x(), length.y())
+                               : fmt::format("[{} m, {} m, {} m]", length.x(), length.y(), length.z());
   }
   if (p.name == "radius" && p.type == ParamType::group && member(p, "distribution")) return range_of_radii;
   if (p.type != ParamType::quantity || p.unit != "m") return {};
@@ -118,21 +120,21 @@ std::vector<PackingWays> packing_cases(const Registry& registry, const std::stri
                        : std::string(form.dimension == 2 ? "2D" : "3D") + (form.periodic ? ", periodic" : "");
     PackingWays ways;
     std::string why;
-    for (const auto& choice : choices(root, parameters)) {
+    const auto ask = [&](const std::vector<std::string>& choice, bool repeats) {
       std::vector<std::string> given = parameters;
       given.insert(given.end(), choice.begin(), choice.end());
       PackingCase c;
       try {
         c.choice = example_plugin(registry, Packing::kind, name, given,
-                                  [&](const ParamSpec& p) { return preset(p, form, filled && !own, folder); });
+                                  [&](const ParamSpec& p) { return preset(p, form, filled && !own, repeats, folder); });
         if (filled) c.container = container_of(c.choice.config, form.dimension);
       } catch (const ConfigError& e) {
         if (e.problems().front().file == "--set") throw;  // the user's, in every form
         why = e.problems().front().text;
-        continue;
+        return;
       } catch (const UserError& e) {
         why = e.what();
-        continue;
+        return;
       }
       c.form = c.name = where;
       for (const std::string& value : choice) c.name += ", " + value.substr(value.find('=') + 1);
@@ -140,6 +142,10 @@ std::vector<PackingWays> packing_cases(const Registry& registry, const std::stri
       c.request.thickness = form.dimension == 2 ? 0.01 : 1;
       for (int k = 0; k < form.dimension; ++k) c.request.periodic[std::size_t(k)] = form.periodic;
       ways.push_back(std::move(c));
+    };
+    for (const auto& choice : choices(root, parameters)) {
+      ask(choice, form.periodic);
+      if (!form.periodic && member(root, "period")) ask(choice, true);
     }
     if (ways.empty()) refused.emplace_back(where, why);
     else all.push_back(std::move(ways));

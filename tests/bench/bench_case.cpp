@@ -8,6 +8,8 @@
 #include <ctime>
 #include <numeric>
 
+#include "../../plugins/shared/copies.hpp"
+
 namespace breccia::bench {
 
 void Quiet::warn(std::string_view text) { fmt::print(stderr, "{}\n", text); }
@@ -46,14 +48,13 @@ PackedParticles copied(const PackedParticles& one, const Json& config, const Cop
   PackedParticles all = one;
   all.position.clear();
   all.radius.clear();
-  for (int a = 0; a < copies[0]; ++a)
-    for (int b = 0; b < copies[1]; ++b)
-      for (int c = 0; c < copies[2]; ++c) {
-        const Vec3 shift(a * edge[0].get<double>(), b * edge[1].get<double>(), c * edge[2].get<double>());
-        for (const Vec3& x : one.position) all.position.push_back(x + shift);
-        all.radius.insert(all.radius.end(), one.radius.begin(), one.radius.end());
-      }
-  all.container_volume *= copies[0] * copies[1] * copies[2];
+  for (auto& column : all.columns) column.second.clear();
+  for_each_copy({{}, {copies[0], copies[1], copies[2]}},
+                Vec3(edge[0].get<double>(), edge[1].get<double>(), edge[2].get<double>()), [&](const Vec3& shift) {
+                  append_moved(
+                      one, shift, [](const Vec3&) { return true; }, all);
+                });
+  all.container_volume *= double(copies[0] * copies[1] * copies[2]);
   return all;
 }
 

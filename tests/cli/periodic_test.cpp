@@ -52,6 +52,53 @@ TEST_F(PeriodicInWorkflows, ALatticeHasItsExactModulusInEveryTest) {
   }
 }
 
+/// A frame says after which lengths it repeats itself. Each copy goes through the same motion: only the order of sums
+/// is another.
+TEST_F(PeriodicInWorkflows, ACellBesideItselfDoesWhatTheCellDoes) {
+  std::string text(lattice);
+  text.replace(text.find("packing: {"), text.find("material:") - text.find("packing: {"),
+               "packing: {type: collective_rearrangement, container: {shape: box, size: [7 mm, 8 mm, 9 mm]}, radius: "
+               "{distribution: uniform, min: 0.5 mm, max: 0.8 mm}, porosity: 36 %, overlap_tolerance: 20 %}\n");
+  const auto put = [&](const std::string& what, const std::string& by) {
+    text.replace(text.find(what), what.size(), by);
+  };
+  put("max_strain: 0.5 %", "max_strain: 0.05 %");
+  put("lateral_pressure: 0 MPa", "lateral: fixed");
+  put("20 1/s", "4 1/s");
+  write("cell.yaml", text);
+  const Json cell = run("cell.yaml --set 'outputs=[{type: vtk, interval: 1 s}]'");
+  if (HasFailure()) return;
+  fs::rename(folder_ / "out/particles_000000.vtp", folder_ / "cell.vtp");
+  const Json block =
+      run("cell.yaml --set 'packing={type: replicated_cell, file: cell.vtp, copies: {x: 2, y: 1, z: 3}}'");
+  if (HasFailure()) return;
+  EXPECT_EQ(block["particles"].get<int>(), 6 * cell["particles"].get<int>());
+  EXPECT_EQ(block["bonds"].get<int>(), 6 * cell["bonds"].get<int>());
+  EXPECT_EQ(block["packing"]["period_z"]["got"].get<double>(), 3 * 9e-3);
+  EXPECT_NEAR(block["porosity"].get<double>(), cell["porosity"].get<double>(), 1e-12);
+  EXPECT_EQ(block["coordination_number"], cell["coordination_number"]);
+  for (const char* name : {"youngs_modulus_Pa", "poisson_ratio"})
+    EXPECT_NEAR(block[name].get<double>(), cell[name].get<double>(), 3e-4 * cell[name].get<double>()) << name;
+  for (const char* name : {"porosity", "contacts_per_particle", "radius_mean"}) {
+    const Json& line = block["packing"][name];
+    EXPECT_NEAR(line["got"].get<double>(), line["asked"].get<double>(), 1e-9 * line["asked"].get<double>()) << name;
+  }
+  // The frame alone is the cell again, and a column is cut out of it as of any other.
+  const Json again = run("cell.yaml --set 'packing={type: from_file, file: cell.vtp}'");
+  if (HasFailure()) return;
+  EXPECT_NEAR(again["youngs_modulus_Pa"].get<double>(), cell["youngs_modulus_Pa"].get<double>(),
+              1e-6 * cell["youngs_modulus_Pa"].get<double>());
+  const std::string column =
+      " --set 'periodic=[]' --set 'postprocessors=[{type: stress}]' --set 'protocol={type: uniaxial_compression, "
+      "platen_velocity: 0.5 m/s, max_strain: 0.1 %}' --set 'packing={type: replicated_cell, file: cell.vtp, cut: "
+      "{shape: cylinder, diameter: 15 mm, height: 30 mm}}'";
+  EXPECT_GT(run("cell.yaml" + column)["particles"].get<int>(), 5 * cell["particles"].get<int>());
+  const Result r =
+      call("run cell.yaml --output none" + column + " --set packing.cut.height=30m --set packing.cut.diameter=15m");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_TRUE(has(r.text, "GB. More than 400 million particles cannot be had")) << r.text;
+}
+
 TEST_F(PeriodicInWorkflows, EveryResultHasItsUnitAsData) {
   write("cell.yaml", lattice);
   const Json s = run("cell.yaml");

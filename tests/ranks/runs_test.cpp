@@ -69,6 +69,76 @@ TEST_P(RanksOfEach, WriteTheFilesOfOne) {
 INSTANTIATE_TEST_SUITE_P(Shipped, RanksOfEach, ::testing::ValuesIn(cases()),
                          [](const auto& its) { return its.param.name; });
 
+struct ManyCase {
+  Case its;
+  std::pair<int, int> ranks;  ///< that begin, that go on
+};
+/// More ranks than two cores have: some that share nothing, and such as own a single block.
+class ManyRanks : public Ranks, public ::testing::WithParamInterface<ManyCase> {
+ protected:
+  /// 15 x 15 x 15 tangent spheres in sheared layers, 14 blocks; a hexagonal cell of 10 x 10 discs, whose 5 x 5 copies
+  /// make 10 blocks.
+  void write_particles() const {
+    std::ostringstream spheres_csv, discs_csv;
+    spheres_csv << "x,y,z,radius\n";
+    for (int k = 0; k < 15; ++k)
+      for (int j = 0; j < 15; ++j)
+        for (int i = 0; i < 15; ++i)
+          spheres_csv << 2 * i + 1 + 0.2 * ((i * 7 + j * 3 + k) % 5) << ',' << 2 * j + 1 << ',' << 2 * k + 1 << ",1\n";
+    write("small.csv", spheres_csv.str());
+    discs_csv << "x,y,radius\n";
+    for (int j = 0; j < 10; ++j)
+      for (int i = 0; i < 10; ++i) discs_csv << 2 * i + j % 2 << ',' << 1.7320508 * j << ",1\n";
+    write("cell.csv", discs_csv.str());
+  }
+};
+
+TEST_P(ManyRanks, GiveTheBitsOfOneAndGoOnInAnyNumber) {
+  write_particles();
+  write("w.yaml", GetParam().its.text);
+  const Result one = call("run w.yaml --output one --threads 1");
+  ASSERT_EQ(one.code, 0) << one.text;
+  const Json s = summary("one");
+  EXPECT_GT(s["bonds_broken_tension"].get<int>() + s["bonds_broken_shear"].get<int>(), 100)
+      << "the test must break something";
+  EXPECT_GT(s["neighbour_list_rebuilds"].get<int>(), 3) << "the test must make its list anew";
+  const auto [first, second] = GetParam().ranks;
+  // Particles change their ranks whenever the list is made anew.
+  const Result many = call("run w.yaml --output many --threads 1", "BRECCIA_IMBALANCE=-1 " + on(first));
+  ASSERT_EQ(many.code, 0) << many.text;
+  expect_same_results(folder_ / "one", folder_ / "many");
+  // What they have written another number goes on with.
+  const auto written = checkpoints_of(folder_ / "many");
+  ASSERT_GE(written.size(), 2u);
+  for (std::size_t k = 1; k < written.size(); ++k) fs::remove(written[k]);
+  const Result further = call("run --resume many --threads 1", on(second));
+  ASSERT_EQ(further.code, 0) << further.text;
+  expect_same_results(folder_ / "one", folder_ / "many");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    FiveAndEight, ManyRanks,
+    ::testing::Values(
+        ManyCase{
+            {"crushed", std::string(spheres) + brittle +
+                            "protocol: {type: uniaxial_compression, platen_velocity: 4 m/s, platen_stiffness: 15 MN/m, "
+                            "max_strain: 1.5 %}\nengine: {skin: 0.1}\n"
+                            "postprocessors: [{type: stress}, {type: damage}, {type: energy}]\n"
+                            "checkpoints: {every_steps: 50, keep: 100, at_end: true}\nsampling: {every_steps: 25}\n"},
+            {8, 5}},
+        ManyCase{{"periodic_in_the_plane",
+                  "dimension: 2\nthickness: 10 mm\nperiodic: [x, y]\npacking: {type: replicated_cell, file: cell.csv, "
+                  "length_unit: mm, period: [20 mm, 17.320508 mm], copies: {x: 5, y: 5}}\n"
+                  "material: {density: 2650 kg/m3}\nbonding: {tolerance: 0.01}\n"
+                  "damping: {translational: 0.5, rotational: 0.5}\n" +
+                      std::string(brittle) +
+                      "protocol: {type: periodic_cell, axis: y, strain_rate: 1200 1/s, lateral_pressure: 0 MPa, "
+                      "max_strain: 3 %}\nengine: {skin: 0.02}\n"
+                      "postprocessors: [{type: stress}, {type: damage}, {type: energy}]\n"
+                      "checkpoints: {every_steps: 100, keep: 100, at_end: true}\nsampling: {every_steps: 50}\n"},
+                 {5, 8}}),
+    [](const auto& its) { return its.param.its.name; });
+
 const std::string column = std::string(spheres) + brittle +
                            "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, platen_stiffness: 15 MN/m, "
                            "max_strain: 0.6 %}\n";

@@ -123,6 +123,9 @@ inline void add_frame_facts(vtkPolyData* data, const SimulationView& view) {
   vtkFieldData* facts = data->GetFieldData();
   add<vtkDoubleArray>(facts, "TimeValue", "s", 1, [&](std::size_t) { return view.time; });
   add<vtkTypeInt32Array>(facts, "dimension", "", 1, [&](std::size_t) { return view.dimension; });
+  if (view.cell.repeats())
+    add<vtkDoubleArray>(facts, "cell_vectors", "m", 3,
+                        [&](std::size_t k) -> Vec3 { return view.cell.vectors().col(int(k)); });
   if (!(view.specimen.height > 0)) return;
   add<vtkDoubleArray>(facts, "specimen_base", "m", 1, [&](std::size_t) { return view.specimen.base; });
   add<vtkDoubleArray>(facts, "specimen_axis", "1", 1, [&](std::size_t) { return view.specimen.axis; });

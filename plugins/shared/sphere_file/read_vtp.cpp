@@ -4,11 +4,11 @@
 #include <vtkPointData.h>
 #include <vtkStringArray.h>
 
-#include "../../shared/checked_vtp_reader.hpp"
+#include "../checked_vtp_reader.hpp"
 #include "breccia/text_file.hpp"
 #include "spheres.hpp"
 
-namespace breccia::from_file {
+namespace breccia::sphere_file {
 
 Spheres read_vtp(const std::filesystem::path& file) {
   (void)read_bytes(file, 1);  // its words for a file that is not there or may not be read
@@ -19,6 +19,10 @@ Spheres read_vtp(const std::filesystem::path& file) {
   Spheres spheres;
   auto* outline = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("specimen_outline"));
   if (outline && outline->GetNumberOfValues() == 1) spheres.outline = outline->GetValue(0);
+  if (vtkDataArray* cell = data->GetFieldData()->GetArray("cell_vectors");
+      cell && cell->GetNumberOfTuples() == 3 && cell->GetNumberOfComponents() == 3)
+    for (int k = 0; k < 3; ++k)
+      for (int c = 0; c < 3; ++c) spheres.cell(c, k) = cell->GetComponent(k, c);
   const vtkIdType n = data->GetNumberOfPoints();
   if (n > 0 && (!radius || radius->GetNumberOfComponents() != 1))
     throw UserError(file.string() + " has no point array `radius` with one number for each point");
@@ -31,4 +35,4 @@ Spheres read_vtp(const std::filesystem::path& file) {
   return spheres;
 }
 
-}  // namespace breccia::from_file
+}  // namespace breccia::sphere_file

@@ -8,7 +8,7 @@
 
 #include "breccia/types.hpp"
 
-namespace breccia::from_file {
+namespace breccia::sphere_file {
 
 struct Spheres {
   std::vector<Vec3> position;     ///< [m]
@@ -17,7 +17,8 @@ struct Spheres {
   /// Other columns of numbers, one value a sphere, and the names of those that hold something else.
   std::vector<std::pair<std::string, std::vector<double>>> columns;
   std::vector<std::string> ignored;
-  std::string outline;  ///< "cylinder", "box", ... when the file says what its specimen is; else empty
+  std::string outline;       ///< "cylinder", "box", ... when the file says what its specimen is; else empty
+  Mat3 cell = Mat3::Zero();  ///< columns: by which vectors space repeated itself, when the file says so [m]
 
   /// "packing.csv, line 12" or "packing.vtp, point 10".
   std::string where(const std::filesystem::path& file, std::size_t k) const {
@@ -30,7 +31,7 @@ struct Spheres {
 Spheres read_csv(const std::filesystem::path& file, double unit, bool needs_z);
 
 /// Points in metres with the point array `radius` in metres: a frame of the output `vtk`, for example, which also says
-/// what the specimen was.
+/// what the specimen was and how it repeated itself.
 Spheres read_vtp(const std::filesystem::path& file);
 
-}  // namespace breccia::from_file
+}  // namespace breccia::sphere_file

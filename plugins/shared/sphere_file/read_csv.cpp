@@ -7,7 +7,7 @@
 #include "breccia/text_file.hpp"
 #include "spheres.hpp"
 
-namespace breccia::from_file {
+namespace breccia::sphere_file {
 namespace {
 
 constexpr std::array<const char*, 4> names{"x", "y", "z", "radius"};
@@ -125,4 +125,4 @@ Spheres read_csv(const std::filesystem::path& file, double unit, bool needs_z) {
   return spheres;
 }
 
-}  // namespace breccia::from_file
+}  // namespace breccia::sphere_file

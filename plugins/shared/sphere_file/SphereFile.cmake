@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# breccia_add_packing_of_file(<name> SOURCES <file>...): a packing that reads a file of spheres; .vtp where VTK is.
+function(breccia_add_packing_of_file name)
+  cmake_parse_arguments(PARSE_ARGV 1 P "" "" "SOURCES")
+  set(folder ${PROJECT_SOURCE_DIR}/plugins/shared/sphere_file)
+  set(sources ${P_SOURCES} ${folder}/source.cpp ${folder}/read_csv.cpp)
+  if(BRECCIA_VTK)
+    set(modules CommonCore CommonDataModel CommonExecutionModel IOXML)
+    find_package(VTK 9 REQUIRED COMPONENTS ${modules})
+    list(TRANSFORM modules PREPEND VTK::)
+    breccia_add_plugin(packing ${name} SOURCES ${sources} ${folder}/read_vtp.cpp LINK ${modules})
+    target_compile_definitions(breccia_packing_${name} PRIVATE BRECCIA_HAS_VTK)
+    vtk_module_autoinit(TARGETS breccia_packing_${name} MODULES ${modules})
+  else()
+    breccia_add_plugin(packing ${name} SOURCES ${sources})
+  endif()
+endfunction()
