@@ -59,6 +59,7 @@ void Parts::deal(const State& s) {
   for (std::size_t a = 0; a < n; ++a) weight[a / particle_block + 1] += 1;
   for (const Index i : s.pairs.size() ? s.pairs.i : s.bonds.i) weight[i / particle_block + 1] += 1;
   std::partial_sum(weight.begin(), weight.end(), weight.begin());
+  const std::vector<Index> before = std::move(first_row_);
   first_row_.assign(ranks + 1, Index(n));
   std::size_t block = 0;
   for (std::size_t r = 0; r < ranks; ++r) {
@@ -67,6 +68,7 @@ void Parts::deal(const State& s) {
     const double share = weight.back() * double(r + 1) / double(ranks);
     while (blocks - block >= ranks - r && weight[block + 1] + weight[block] <= 2 * share) ++block;
   }
+  if (!before.empty() && before != first_row_) ++changes_;
 }
 
 /// Before or after the lists are of that length.

@@ -23,6 +23,7 @@ class Parts {
   Index first_row() const { return first_row(link_->rank()); }
   Index end_row() const { return first_row(link_->rank() + 1); }
   std::size_t rows() const { return first_row_.back(); }
+  int changes() const { return changes_; }  ///< how often particles have got another owner
 
   /// Of a whole specimen, the same on all ranks, what belongs to this one stays. `contacts`: other pairs that are known
   /// by their particles. UserError when there are more ranks than blocks of particles.
@@ -72,6 +73,7 @@ class Parts {
   RankLink* link_;
   std::vector<Index> first_row_;  ///< of each rank, and the number of all
   bool parted_ = false;
+  int changes_ = 0;
   std::vector<CrackKey> crack_keys_;
 };
 

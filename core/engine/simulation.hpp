@@ -61,6 +61,7 @@ class Simulation final : public LoadControl {
   void gather();
   std::size_t pairs() const { return pairs_; }                     ///< of the whole specimen, when the list was made
   double seconds_gathering() const { return seconds_gathering_; }  ///< so far, for views and for protocols that look
+  int changes_of_ranks() const { return parts_ ? parts_->changes() : 0; }  ///< of particles, as work shifted
   std::uint64_t rebuilds() const { return rebuilds_; }
   double critical_step() const { return critical_; }
   double step_over_bound() const { return critical_ / bound_; }  ///< critical step over that of single particles

@@ -70,7 +70,7 @@ class OneRun {
 
   // run_end.cpp
   void finish();
-  void tell_of_gathering();
+  void tell_of_ranks();
   void finish_plugins(const SimulationView& view);
   void write_summary(double wall_seconds);
   void add_to_summary(double wall_seconds);

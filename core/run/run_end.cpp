@@ -28,14 +28,16 @@ void OneRun::finish() {
     if (ranks_.first()) finish_plugins(view);
   }
   if (!ranks_.first()) return;
-  tell_of_gathering();
+  tell_of_ranks();
   sum_up_packing(summary_, packing_.particles.report);
   summary_.set("reference", w_.reference);
   summary_.set("environment", environment());
 }
 
 /// Who asks for the whole specimen makes all ranks wait until it is brought together.
-void OneRun::tell_of_gathering() {
+void OneRun::tell_of_ranks() {
+  if (const int changes = simulation_->changes_of_ranks(); changes > 0)
+    monitor_.info(fmt::format("particles changed ranks {} time{}, as work shifted", changes, changes == 1 ? "" : "s"));
   const double seconds = simulation_->seconds_gathering();
   if (ranks_.several() && seconds > 0.05 * loop_seconds_)
     monitor_.info(
