@@ -174,10 +174,10 @@ def trends(report, figures, studies):
     report.table(["figure", "the paper", "criterion", *(c for r in readings for c in (r.title, ""))],
                  [[*head, *(c for r in readings for c in of_reading.get(r, ["not measured", ""]))] for head, of_reading in lines.items()])
     report.text("Kept: " + "; ".join(f"{r.title}: {n} of {m}" for r, (n, m) in kept_by.items()) + ".")
-    for r, of_reading in studies.items():
-        for s in of_reading.values():
-            if s.values and not s.complete:
-                report.text(f"**Of a part of the points only** ({r.title}): {TEXTS[s.name]}; finished: " + ", ".join(f"{x:g}" for x in s.at_x) + ".")
+    parts = [f"{r.title}: " + "; ".join(some) for r, of_reading in studies.items()
+             if (some := [f"{TEXTS[s.name]} at {', '.join(f'{x:g}' for x in s.at_x)}" for s in of_reading.values() if s.values and not s.complete])]
+    if parts:
+        report.text("**Of a part of the points only**, those without which nothing could be said.", "\n".join(f"- {p}" for p in parts))
     for k, (r, of_reading) in enumerate(studies.items()):
         for name, s in of_reading.items():
             charts = s.charts if k == 0 else SHORT.get(name, []) if k == 1 else []
