@@ -66,6 +66,10 @@ SPLITTING_3D = [
     ("platens at 0.2 m/s", BRAZILIAN_3D, "", "velocity_0p2", ["protocol.platen_velocity=0.2 m/s"]),
     ("5.4 bonds a sphere", BRAZILIAN_3D, "", "z5p4", ["bonding.coordination_number=5.4"]),
     ("cut free all round (`cut_free`)", BRAZILIAN_3D, CUT_FREE, "", []),
+    ("... with platens of 31 MN/m, a twelfth of the default, at 0.2 m/s", BRAZILIAN_3D, CUT_FREE, "platen_31",
+     ["protocol.platen_stiffness=31 MN/m", "protocol.max_displacement=4 %", "protocol.platen_velocity=0.2 m/s"]),
+    ("... with platens of 8 MN/m, at 0.4 m/s", BRAZILIAN_3D, CUT_FREE, "platen_8",
+     ["protocol.platen_stiffness=8 MN/m", "protocol.max_displacement=6 %", "protocol.platen_velocity=0.4 m/s"]),
     ("direct tension, as in the workflow", TENSION_3D, "", "", []),
 ]
 SPHERES = [
