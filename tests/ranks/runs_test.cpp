@@ -127,7 +127,8 @@ INSTANTIATE_TEST_SUITE_P(
                       "max_strain: 4 %}\nengine: {skin: 0.05}\n"
                       "postprocessors: [{type: stress}, {type: damage}, {type: energy}]\n"
                       "checkpoints: {every_steps: 50, keep: 100, at_end: true}\nsampling: {every_steps: 25}\n"},
-                 {8, 5}},
+                 {8, 5},
+                 true},
         ManyCase{{"periodic_in_the_plane",
                   "dimension: 2\nthickness: 10 mm\nperiodic: [x, y]\npacking: {type: replicated_cell, file: cell.csv, "
                   "length_unit: mm, period: [20 mm, 17.320508 mm], copies: {x: 5, y: 5}}\n"
