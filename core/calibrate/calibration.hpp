@@ -134,8 +134,4 @@ struct LoadedCalibration {
 /// ConfigError with every problem of the file itself. The plugins that it names are added to the registry first.
 LoadedCalibration load_calibration(const std::filesystem::path& file, Registry& registry);
 
-/// Its search with all parameters. UserError where there is none. The usual one is loaded here and not before: its
-/// libraries are many, and the runs of a calibration, each a process that reads the file, do without.
-PluginChoice search_of(const LoadedCalibration& loaded, const Registry& registry);
-
 }  // namespace breccia

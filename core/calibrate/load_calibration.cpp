@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "breccia/result_name.hpp"
+#include "calibrate/calibration_search.hpp"
 #include "calibrate/course.hpp"
 #include "config/number.hpp"
 #include "config/reader.hpp"
@@ -322,30 +323,6 @@ class Checker {
   std::vector<Finding>& findings_;
 };
 
-constexpr const char* usual = "kriging";
-
-bool has_usual_search(const Registry& registry) {
-  const std::vector<std::string> names = registry.names("search");
-  return std::find(names.begin(), names.end(), usual) != names.end();
-}
-
-/// What a user can do where the usual search is not installed.
-std::string why_no_usual_search(const Registry& registry) {
-  const std::vector<std::string> others = registry.names("search");
-  return "the search `kriging` is not installed, since this Breccia was built without OpenTURNS. Install OpenTURNS "
-         "(Debian's libopenturns-dev) and build Breccia again with -DBRECCIA_OPENTURNS=ON, or name " +
-         (others.empty() ? "a search of your own under `search` (`breccia new search NAME` begins one)"
-                         : "another one under `search`: " + list_of(others));
-}
-
-/// The usual one by its name, where it is not installed: that its name is not known would say too little.
-void refuse_named_without_it(const InputFile& file, const Registry& registry) {
-  const YamlEntry* search = file.tree->find("search");
-  const YamlEntry* type = search ? search->value->find("type") : nullptr;
-  if (type && type->value->text == usual && !has_usual_search(registry))
-    refuse({{type->value->place, "search.type", why_no_usual_search(registry)}}, {file});
-}
-
 void refuse_others(const BaseChain& chain, const std::string& file) {
   const YamlPtr tree = chain.files.empty() ? nullptr : chain.files[0].tree;
   if (!tree || is_calibration(chain)) return;
@@ -359,26 +336,13 @@ void refuse_others(const BaseChain& chain, const std::string& file) {
 
 }  // namespace
 
-PluginChoice search_of(const LoadedCalibration& loaded, const Registry& registry) {
-  if (loaded.config.search) return *loaded.config.search;
-  const std::string file = loaded.path.string();
-  if (loaded.search.empty()) throw UserError(file + ": nothing proposes the points: " + why_no_usual_search(registry));
-  struct Config {
-    PluginChoice search;
-  };
-  Schema<Config> schema;
-  schema.param("search", &Config::search).kind("search").doc("what proposes the points");
-  const std::string text = "search: {type: " + loaded.search + "}\n";
-  return schema.load(read_config(text, file, schema.documentation().root, registry)).search;
-}
-
 LoadedCalibration load_calibration(const fs::path& file, Registry& registry) {
   const BaseChain chain = single_file(read_text(file), file.string(), "calibration");
   refuse_others(chain, file.string());
   if (chain.whole)
     for (const Json& plugin : read_section(chain, calibration_schema(), "plugins"))
       registry.add(plugin.at("path").get<std::string>());
-  if (chain.whole) refuse_named_without_it(chain.files[0], registry);
+  if (chain.whole) refuse_missing_usual_search(chain.files[0], registry);
   const Json config = read_config(chain, calibration_schema(), registry);
   Schema<Calibration> schema;
   Calibration::describe(schema);
@@ -388,7 +352,7 @@ LoadedCalibration load_calibration(const fs::path& file, Registry& registry) {
   loaded.path = file;
   if (loaded.config.name.empty()) loaded.config.name = file.stem().string();
   if (loaded.config.search) loaded.search = loaded.config.search->type;
-  else if (has_usual_search(registry)) loaded.search = usual;
+  else if (has_usual_search(registry)) loaded.search = usual_search;
   std::vector<Finding> findings;
   Checker checker(loaded, findings);
   checker.name();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "calibrate/calibration_search.hpp"
 #include "config/at_path.hpp"
 #include "config/reader.hpp"
 #include "config/suggest.hpp"

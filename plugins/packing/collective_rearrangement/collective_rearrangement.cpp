@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Packing of spheres with exactly given radii by collective rearrangement.
 #include <cmath>
-#include <cstdio>
 
+#include "../../shared/printed.hpp"
 #include "breccia/plugin.hpp"
 #include "cut.hpp"
 #include "mesh_region.hpp"
@@ -13,19 +13,12 @@ namespace breccia::collective_rearrangement {
 
 namespace {
 
-template <class... A>
-std::string text(const char* format, A... a) {
-  char buffer[500];
-  std::snprintf(buffer, sizeof buffer, format, a...);
-  return buffer;
-}
-
 std::size_t number_for(double porosity, const RadiusLaw& law, double measure, int dimension) {
   constexpr std::size_t samples = 10000;
   const double each = solid_measure(quantile_radii(law, samples), dimension) / samples;
   const double wanted = (1 - porosity) * measure / each;
   if (wanted > 50e6)
-    throw UserError(text("this porosity takes %.3g particles, more than 50 million: use larger radii", wanted));
+    throw UserError(printed("this porosity takes %.3g particles, more than 50 million: use larger radii", wanted));
   return std::size_t(std::max(1.0, std::round(wanted)));
 }
 
@@ -174,15 +167,15 @@ class CollectiveRearrangement final : public Packing {
       throw UserError(
           "no particle has its centre in the specimen cut out: use more or smaller ones, or a smaller margin");
     const Quality q = measure(cut.spheres, region->measure(), within);
-    host.info(
-        text("packed %zu particles: porosity %.4f, %.2f contacts each, overlaps up to %.3g %% of the sum of the radii",
-             cut.spheres.size(), q.porosity, q.contacts, 100 * q.max_overlap));
+    host.info(printed(
+        "packed %zu particles: porosity %.4f, %.2f contacts each, overlaps up to %.3g %% of the sum of the radii",
+        cut.spheres.size(), q.porosity, q.contacts, 100 * q.max_overlap));
     if (q.max_overlap > config_.overlap_tolerance)
       throw UserError(
-          text("spheres of these radii cannot be packed so densely: the best packing found, with a porosity of "
-               "%.2f %%, has overlaps of %.3g %% of the sum of the radii at most and %.3g %% on average. Ask "
-               "for fewer particles or more porosity, or allow these overlaps with overlap_tolerance",
-               100 * q.porosity, 100 * q.max_overlap, 100 * q.mean_overlap));
+          printed("spheres of these radii cannot be packed so densely: the best packing found, with a porosity of "
+                  "%.2f %%, has overlaps of %.3g %% of the sum of the radii at most and %.3g %% on average. Ask "
+                  "for fewer particles or more porosity, or allow these overlaps with overlap_tolerance",
+                  100 * q.porosity, 100 * q.max_overlap, 100 * q.mean_overlap));
     PackedParticles packed;
     packed.report = report(q, law, wanted, cut.spheres.size(), packed_number, outcome);
     packed.position = std::move(cut.spheres.x);
@@ -208,10 +201,10 @@ class CollectiveRearrangement final : public Packing {
     if (n == 0) throw UserError("not one particle goes into the space to be filled: use smaller ones");
     if (radii.back() > region.largest_radius())
       throw UserError(
-          text("the largest particle, of radius %.4g m, does not fit into the space to be filled", radii.back()));
+          printed("the largest particle, of radius %.4g m, does not fit into the space to be filled", radii.back()));
     const double share = solid_measure(radii, space.dimension) / region.measure();
     if (n > 1 && share > 0.95)
-      throw UserError(text(
+      throw UserError(printed(
           "%zu particles of these radii have %.3g of the volume to be filled: use fewer or smaller ones", n, share));
     Rearrangement rearrangement(region, space, std::move(radii), seed,
                                 {int(config_.max_iterations), config_.tolerance, std::max(1, host.threads())}, host);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Large specimens cheaply: a cell that repeats itself, packed once, side by side with copies of itself.
 #include <cmath>
-#include <cstdio>
 
+#include "../../shared/printed.hpp"
 #include "../../shared/sphere_file/source.hpp"
 #include "breccia/packing_tools/fit.hpp"
 #include "breccia/text_file.hpp"
@@ -13,13 +13,6 @@
 namespace breccia::replicated_cell {
 
 namespace {
-
-template <class... A>
-std::string text(const char* format, A... a) {
-  char buffer[500];
-  std::snprintf(buffer, sizeof buffer, format, a...);
-  return buffer;
-}
 
 constexpr double most_particles = 400e6;  // rows of pairs are counted in 32 bits
 constexpr double bytes_each = 2000;       // of a run with some six bonds a particle, as measured
@@ -160,10 +153,10 @@ class ReplicatedCell final : public Packing {
     const double in_all = place.copies_in_all() * double(particles);
     const auto& n = place.copies.count;
     const std::string what =
-        text("%ld x %ld x %ld copies of %zu particles are %.3g; a run of so many takes about %.3g GB", n[0], n[1], n[2],
-             particles, in_all, 1e-9 * bytes_each * in_all);
+        printed("%ld x %ld x %ld copies of %zu particles are %.3g; a run of so many takes about %.3g GB", n[0], n[1],
+                n[2], particles, in_all, 1e-9 * bytes_each * in_all);
     if (in_all > most_particles)
-      throw UserError(what + text(". More than %.0f million particles cannot be had: ", 1e-6 * most_particles) +
+      throw UserError(what + printed(". More than %.0f million particles cannot be had: ", 1e-6 * most_particles) +
                       (config_.cut ? "look at the units of `cut` and `period`" : "ask for fewer copies"));
     if (in_all > 1e6) host.info("packing replicated_cell: " + what);
   }
