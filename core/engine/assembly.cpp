@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <numeric>
 
+#include "engine/parts.hpp"
 #include "engine/specimen.hpp"
 
 namespace breccia {
@@ -63,7 +64,8 @@ std::vector<Index> morton_order(Strided<const Vec3> points) {
   return order;
 }
 
-State assemble(const PackedParticles& packing, const Materials& materials, int dimension, double thickness) {
+State assemble(const PackedParticles& packing, const Materials& materials, int dimension, double thickness,
+               RankLink* link) {
   refuse_bad(packing);
   BRECCIA_ASSERT(!materials.list.empty() && materials.list.size() <= Materials::most);
   BRECCIA_ASSERT(materials.of_particle.empty() || materials.of_particle.size() == packing.radius.size());
@@ -71,28 +73,42 @@ State assemble(const PackedParticles& packing, const Materials& materials, int d
   s.dimension = dimension;
   s.thickness = thickness;
   for (const Material& m : materials.list) s.materials.push_back(m.name);
-  Particles& p = s.particles;
+  const auto material_of = [&](Index k) {
+    return materials.of_particle.empty() ? std::uint8_t(0) : materials.of_particle[k];
+  };
+  const auto mass_of = [&](Index k) {
+    return materials.list.at(material_of(k)).density * s.solid_volume(packing.radius[k]);
+  };
   const std::vector<Index> order = morton_order(packing.position);
-  const std::size_t n = order.size();
-  p.motion.reserve(n);
-  p.id.reserve(n);
   for (const Index k : order) {
-    const double r = packing.radius[k];
+    const double r = packing.radius[k], m = mass_of(k);
     if (dimension == 2 && packing.position[k].z() != 0)
       throw UserError("a two-dimensional packing must lie in the plane z = 0");
-    const std::uint8_t of = materials.of_particle.empty() ? std::uint8_t(0) : materials.of_particle[k];
-    const double m = materials.list.at(of).density * s.solid_volume(r);
     if (!std::isnormal(m * r * r) || !std::isnormal(m))
-      throw UserError(
-          "particle " + std::to_string(k) + " of the packing, of radius " + number(r) + " m, has a mass of " +
-          number(m) + " kg, which cannot be reckoned with: check radii and " +
-          (materials.list.size() == 1 ? "material.density" : "materials." + materials.list[of].name + ".density"));
+      throw UserError("particle " + std::to_string(k) + " of the packing, of radius " + number(r) +
+                      " m, has a mass of " + number(m) + " kg, which cannot be reckoned with: check radii and " +
+                      (materials.list.size() == 1 ? "material.density"
+                                                  : "materials." + materials.list[material_of(k)].name + ".density"));
+  }
+  Particles& p = s.particles;
+  Index first = 0, end = Index(order.size());
+  if (link) {
+    const std::vector<Index> shares = even_shares(order.size(), link->ranks());
+    first = shares[std::size_t(link->rank())];
+    end = shares[std::size_t(link->rank()) + 1];
+    for (Index row = first; row < end; ++row) p.row.push_back(row);
+  }
+  const std::size_t n = end - first;
+  p.motion.reserve(n);
+  p.id.reserve(n);
+  for (Index row = first; row < end; ++row) {
+    const Index k = order[row];
     ParticleMotion& one = p.motion.emplace_back();
     one.position = packing.position[k];
-    one.radius = r;
-    one.mass = m;
-    one.inertia = m * s.gyration(r);
-    if (materials.list.size() > 1) p.material.push_back(of);
+    one.radius = packing.radius[k];
+    one.mass = mass_of(k);
+    one.inertia = one.mass * s.gyration(one.radius);
+    if (materials.list.size() > 1) p.material.push_back(material_of(k));
     p.id.push_back(k);
   }
   p.load.resize(n);
@@ -101,7 +117,7 @@ State assemble(const PackedParticles& packing, const Materials& materials, int d
   s.cell = s.reference_cell = Cell::box(packing.period);
   s.specimen =
       measure_specimen(p.position(), p.radius(), s.cell.repeats() ? SpecimenShape::Outline::box : packing.outline,
-                       packing.axis, s, packing.container_volume);
+                       packing.axis, s, packing.container_volume, link);
   return s;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "breccia/packing.hpp"
+#include "engine/rank_link.hpp"
 #include "model/state.hpp"
 
 namespace breccia {
@@ -24,8 +25,10 @@ struct Materials {
 
 /// Particles of the packing, Morton-ordered so that neighbours are near in memory; masses of spheres, or of discs of
 /// the given thickness in two dimensions (held in the plane z = 0). UserError for an empty packing, a value that is
-/// not finite or a radius that is not positive.
-State assemble(const PackedParticles& packing, const Materials& materials, int dimension, double thickness);
+/// not finite or a radius that is not positive. `link`: of the packing, which all ranks have, this rank's share; null
+/// where there is but one.
+State assemble(const PackedParticles& packing, const Materials& materials, int dimension, double thickness,
+               RankLink* link = nullptr);
 
 /// Order of the points along a Morton curve: result[k] is the k-th point. Ties keep their order.
 std::vector<Index> morton_order(Strided<const Vec3> points);

@@ -2,12 +2,14 @@
 #include "engine/bonding.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdio>
 
 #include "breccia/error.hpp"
 #include "breccia/images.hpp"
 #include "engine/cell_motion.hpp"
+#include "engine/exact_sum.hpp"
 
 namespace breccia {
 namespace {
@@ -22,55 +24,122 @@ double reach_of(double largest_radius, bool relative, double limit) {
   return 2 * largest_radius * (1 + (relative ? limit : std::max(0.0, 0.5 * limit / largest_radius)));
 }
 
-std::vector<Candidate> pairs_within(const State& s, GapMeasure measure, double limit) {
-  const Particles& p = s.particles;
-  const double largest = *std::max_element(p.radius().begin(), p.radius().end());
-  const bool relative = measure == GapMeasure::relative;
-  std::vector<Candidate> found;
-  const double reach = reach_of(largest, relative, limit);
-  refuse_narrow_cell(s, reach);
-  for_each_pair_within(s, p.position(), reach, [&](Index i, Index j) {
-    const double d = s.branch(p.position()[i], p.position()[j]).norm(), touching = p.radius()[i] + p.radius()[j];
-    const double gap = relative ? d / touching - 1 : d - touching;
-    if (gap <= limit) found.push_back({i, j, d, gap});
-  });
-  return found;
+/// The particles to be bonded: all, or those of this part, with what is asked of the others.
+class Specimen {
+ public:
+  Specimen(State& state, Parts* parts)
+      : s_(state), parts_(parts), link_(parts ? &parts->link() : nullptr), particles_(state.particles.size()) {
+    const auto r = state.particles.radius();
+    largest_ = largest_of_ranks(link_, *std::max_element(r.begin(), r.end()));
+    std::vector<ExactSum> sum(1);
+    for (const double one : r) sum[0].add(one);
+    if (parts) particles_ = parts->rows();
+    mean_ = totals(sum, link_)[0] / double(particles_);
+  }
+  bool is_whole() const { return !parts_; }
+  std::size_t particles() const { return particles_; }
+  double largest_radius() const { return largest_; }  // [m]
+  double mean_radius() const { return mean_; }        // [m]
+
+  std::vector<Candidate> pairs_within(GapMeasure measure, double limit) const {
+    const bool relative = measure == GapMeasure::relative;
+    const double reach = reach_of(largest_, relative, limit);
+    refuse_narrow_cell(s_, reach);
+    Bonds none;
+    if (parts_) parts_->renew_copies(s_, none, std::max(0.0, relative ? 2 * largest_ * limit : limit));
+    const Particles& p = s_.particles;
+    std::vector<Candidate> found;
+    for_each_pair_within(s_, p.position(), reach, [&](Index i, Index j) {
+      if (!p.own(i) && !p.own(j)) return;
+      const double d = s_.branch(p.position()[i], p.position()[j]).norm(), touching = p.radius()[i] + p.radius()[j];
+      const double gap = relative ? d / touching - 1 : d - touching;
+      if (gap <= limit) found.push_back({i, j, d, gap});
+    });
+    return found;
+  }
+  /// Own ones stand before others in no order; a pair is counted by the part of its lower particle.
+  bool counts(const Candidate& c) const { return s_.particles.own(c.i); }
+  std::size_t number_of(const std::vector<Candidate>& pairs) const {
+    return total(std::size_t(std::count_if(pairs.begin(), pairs.end(), [&](const Candidate& c) { return counts(c); })));
+  }
+  std::size_t total(std::size_t here) const {
+    std::int64_t number = std::int64_t(here);
+    if (link_) link_->add({&number, 1});
+    return std::size_t(number);
+  }
+
+ private:
+  State& s_;
+  Parts* parts_;
+  RankLink* link_;
+  std::size_t particles_;
+  double largest_, mean_;
+};
+
+/// Whole numbers in the order of the doubles.
+std::uint64_t place_of(double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  return bits >> 63 ? ~bits : bits | std::uint64_t(1) << 63;
+}
+double value_at(std::uint64_t place) {
+  return std::bit_cast<double>(place >> 63 ? place & ~(std::uint64_t(1) << 63) : ~place);
+}
+
+/// Of all ranks' gaps that which has `before` smaller ones or as small. Where there are several: by halves, since
+/// nobody has them all.
+double gap_at(const Specimen& all, std::vector<double> gaps, std::size_t before) {
+  if (all.is_whole()) {
+    std::nth_element(gaps.begin(), gaps.begin() + std::ptrdiff_t(before), gaps.end());
+    return gaps[before];
+  }
+  std::sort(gaps.begin(), gaps.end());
+  std::uint64_t low = 0, high = ~std::uint64_t(0);
+  while (low < high) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    const auto not_above = std::upper_bound(gaps.begin(), gaps.end(), middle,
+                                            [](std::uint64_t place, double gap) { return place < place_of(gap); });
+    if (all.total(std::size_t(not_above - gaps.begin())) > before) high = middle;
+    else low = middle + 1;
+  }
+  return value_at(low);
 }
 
 /// Far more than any packing needs; a limit of a metre in place of a millimetre asks for all pairs there are, and for
-/// all memory. Counting needs none.
-void refuse_too_many(const State& s, const BondingResult& rule) {
+/// all memory. Counting needs none. Of a specimen in parts each counts its own, near ones or not.
+void refuse_too_many(const State& s, const Specimen& all, const BondingResult& rule) {
   const Particles& p = s.particles;
   constexpr std::size_t most = 350;  // bonds a particle; within five times the sum of the radii there are about 300
   if (p.size() <= 2 * most) return;
-  const double largest = *std::max_element(p.radius().begin(), p.radius().end());
   const bool relative = rule.measure == GapMeasure::relative;
+  struct Enough {};
   std::size_t count = 0;
-  CellGrid(p.position(), reach_of(largest, relative, rule.limit)).for_each_pair([&](Index i, Index j) {
-    const double reach =
-        relative ? (1 + rule.limit) * (p.radius()[i] + p.radius()[j]) : p.radius()[i] + p.radius()[j] + rule.limit;
-    if ((p.position()[j] - p.position()[i]).squaredNorm() > reach * reach) return;
-    if (++count <= most * p.size()) return;
-    char text[32];
-    std::snprintf(text, sizeof text, relative ? "%.4g" : "%.4g m", rule.limit);
-    throw UserError(std::string("bonding.") + (relative ? "tolerance" : "gap") + ": within " + text + " the " +
-                    std::to_string(p.size()) + " particles have more than " + std::to_string(2 * most) +
-                    " neighbours each, where some 12 are bonded as a rule: is its unit right?");
-  });
+  try {
+    CellGrid(p.position(), reach_of(all.largest_radius(), relative, rule.limit)).for_each_pair([&](Index i, Index j) {
+      const double reach =
+          relative ? (1 + rule.limit) * (p.radius()[i] + p.radius()[j]) : p.radius()[i] + p.radius()[j] + rule.limit;
+      if ((p.position()[j] - p.position()[i]).squaredNorm() > reach * reach) return;
+      if (++count > most * p.size()) throw Enough();
+    });
+  } catch (const Enough&) {}
+  if (all.total(count > most * p.size()) == 0) return;
+  char text[32];
+  std::snprintf(text, sizeof text, relative ? "%.4g" : "%.4g m", rule.limit);
+  throw UserError(std::string("bonding.") + (relative ? "tolerance" : "gap") + ": within " + text + " the " +
+                  std::to_string(all.particles()) + " particles have more than " + std::to_string(2 * most) +
+                  " neighbours each, where some 12 are bonded as a rule: is its unit right?");
 }
 
 /// The candidates with the smallest gaps, as many as asked; equal gaps stand or fall together, so a lattice stays one.
-std::vector<Candidate> nearest_pairs(const State& s, GapMeasure measure, std::size_t wanted, double& limit) {
-  double mean = 0;
-  for (const double r : s.particles.radius()) mean += r / double(s.particles.size());
-  const double unit = measure == GapMeasure::relative ? 1.0 : 2 * mean;
+std::vector<Candidate> nearest_pairs(const Specimen& all, GapMeasure measure, std::size_t wanted, double& limit) {
+  const double unit = measure == GapMeasure::relative ? 1.0 : 2 * all.mean_radius();
   for (double reach = 0.25; reach < 8; reach *= 2) {
-    std::vector<Candidate> found = pairs_within(s, measure, reach * unit);
-    if (found.size() < wanted) continue;
-    std::vector<double> gaps(found.size());
-    std::transform(found.begin(), found.end(), gaps.begin(), [](const Candidate& c) { return c.gap; });
-    std::nth_element(gaps.begin(), gaps.begin() + std::ptrdiff_t(wanted - 1), gaps.end());
-    limit = gaps[wanted - 1] + 1e-12 * (unit + std::abs(gaps[wanted - 1]));
+    std::vector<Candidate> found = all.pairs_within(measure, reach * unit);
+    if (all.number_of(found) < wanted) continue;
+    std::vector<double> gaps;
+    for (const Candidate& c : found)
+      if (all.counts(c)) gaps.push_back(c.gap);
+    const double last = gap_at(all, std::move(gaps), wanted - 1);
+    limit = last + 1e-12 * (unit + std::abs(last));
     std::erase_if(found, [&](const Candidate& c) { return c.gap > limit; });
     return found;
   }
@@ -81,38 +150,42 @@ std::vector<Candidate> nearest_pairs(const State& s, GapMeasure measure, std::si
 
 }  // namespace
 
-BondingResult choose_bonds(const State& state, const BondingRule& rule, Bonds& bonds) {
-  const Particles& p = state.particles;
+BondingResult choose_bonds(State& state, const BondingRule& rule, Bonds& bonds, Parts* parts) {
+  const Specimen all(state, parts);
   BondingResult result{rule.measure};
   std::vector<Candidate> chosen;
   if (rule.coordination_number) {
-    const auto wanted = std::size_t(std::llround(0.5 * *rule.coordination_number * double(p.size())));
-    if (wanted > p.size() * (p.size() - 1) / 2)
-      throw UserError("bonding.coordination_number: " + std::to_string(p.size()) +
+    const auto wanted = std::size_t(std::llround(0.5 * *rule.coordination_number * double(all.particles())));
+    if (wanted > all.particles() * (all.particles() - 1) / 2)
+      throw UserError("bonding.coordination_number: " + std::to_string(all.particles()) +
                       " particles cannot have that many neighbours");
-    if (wanted > 0) chosen = nearest_pairs(state, rule.measure, wanted, result.limit);
+    if (wanted > 0) chosen = nearest_pairs(all, rule.measure, wanted, result.limit);
   } else {
     result.limit = *rule.limit;
-    refuse_too_many(state, result);
-    chosen = pairs_within(state, rule.measure, result.limit);
+    refuse_too_many(state, all, result);
+    chosen = all.pairs_within(rule.measure, result.limit);
   }
   std::sort(chosen.begin(), chosen.end(),
             [](const Candidate& a, const Candidate& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; });
   Bonds b;
   for (auto* numbers : {&b.i, &b.j}) numbers->reserve(chosen.size());
   b.initial_distance.reserve(chosen.size());
+  std::size_t coincident = 0;
   for (const Candidate& c : chosen) {
-    if (c.distance <= 0) throw UserError("two particles of the packing have the same centre: they cannot be bonded");
+    coincident += c.distance <= 0;
     b.i.push_back(c.i);
     b.j.push_back(c.j);
     b.initial_distance.push_back(c.distance);
   }
+  if (all.total(coincident) > 0)
+    throw UserError("two particles of the packing have the same centre: they cannot be bonded");
   const std::size_t n = b.i.size();
   b.pair.assign(n, BondsView::no_pair);
   b.state.assign(n, BondState::intact);
   b.crack_of.assign(n, BondsView::no_crack);
   bonds = std::move(b);
-  result.coordination_number = 2.0 * double(n) / double(p.size());
+  result.bonds = all.number_of(chosen);
+  result.coordination_number = 2.0 * double(result.bonds) / double(all.particles());
   return result;
 }
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "model/state.hpp"
+#include "engine/parts.hpp"
 
 namespace breccia {
 
@@ -25,9 +25,11 @@ struct BondingResult {
   GapMeasure measure = GapMeasure::relative;
   double limit = 0;                ///< used [1] or [m]
   double coordination_number = 0;  ///< 2 bonds / particles
+  std::size_t bonds = 0;           ///< of the whole specimen
 };
 
-/// The pairs that the rule chooses, as intact bonds. UserError when the coordination number cannot be reached.
-BondingResult choose_bonds(const State& state, const BondingRule& rule, Bonds& bonds);
+/// The pairs that the rule chooses, as intact bonds. UserError when the coordination number cannot be reached. `parts`:
+/// of a specimen in parts, which then has copies of all that the own particles could be bonded to; else null.
+BondingResult choose_bonds(State& state, const BondingRule& rule, Bonds& bonds, Parts* parts = nullptr);
 
 }  // namespace breccia

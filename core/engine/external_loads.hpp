@@ -21,9 +21,7 @@ class ExternalLoads {
   /// What is applied alone, and room for those of the walls that are near.
   void reset(const State& s) {
     const Particles& p = s.particles;
-    rows_.clear();
-    shift_ = p.shift();
-    begin_.assign((p.end_own() + shift_ + group - 1) / group, none);
+    clear(p);
     for (std::size_t a = p.first_own(); a < p.end_own(); ++a) {
       const Load applied = of(p, a);
       if (!applied.force.isZero(0) || !applied.torque.isZero(0)) row(a) = applied;
@@ -50,24 +48,23 @@ class ExternalLoads {
   void shift_to(const Particles& p) { shift_ = p.shift(); }
 
   /// As they stand: the protocol's changes have left their rounding in them.
-  void archive(Archive& archive, const std::vector<Index>& id) {
-    std::vector<Vec3> force(id.size(), Vec3::Zero()), torque = force;
-    std::vector<std::uint8_t> groups(begin_.size());
+  void archive(SpecimenArchive& archive, const Particles& p) {
+    std::vector<Vec3> force(p.size(), Vec3::Zero()), torque = force;
+    std::vector<std::uint8_t> groups((archive.size() + group - 1) / group);
     if (!archive.reading())
-      for (std::size_t a = 0; a < id.size(); ++a)
+      for (std::size_t a = 0; a < p.size(); ++a)
         if (const Load* const load = of(a)) {
           groups[a / group] = 1;
           force[a] = load->force;
           torque[a] = load->torque;
         }
-    archive_by_id(archive, "force", Strided<Vec3>(force), id);
-    archive_by_id(archive, "torque", Strided<Vec3>(torque), id);
-    archive("groups", groups);
+    archive.by_id("force", Strided<Vec3>(force));
+    archive.by_id("torque", Strided<Vec3>(torque));
+    archive.plain()("groups", groups);
     if (!archive.reading()) return;
-    rows_.clear();
-    begin_.assign(groups.size(), none);
-    for (std::size_t a = 0; a < id.size(); ++a)
-      if (groups.at(a / group)) row(a) = {force[a], torque[a]};
+    clear(p);
+    for (std::size_t a = p.first_own(); a < p.end_own(); ++a)
+      if (groups.at((a + shift_) / group)) row(a) = {force[a], torque[a]};
   }
   /// Calls `f(row of the whole, load)` for all that have memory.
   template <class F>
@@ -76,10 +73,10 @@ class ExternalLoads {
       if (const Load* const load = of(a)) f(p.row_of(a), *load);
   }
   void put(Index particle, const Load& load) { row(particle) = load; }
-  void clear(std::size_t particles) {
+  void clear(const Particles& p) {
     rows_.clear();
-    shift_ = 0;
-    begin_.assign((particles + group - 1) / group, none);
+    shift_ = p.shift();
+    begin_.assign((p.end_own() + shift_ + group - 1) / group, none);
   }
 
  private:

@@ -94,10 +94,9 @@ BondStiffness Simulation::bond_stiffness() {
 }
 
 SpecimenShape Simulation::set_specimen_axis(const Vec3& axis) {
-  BRECCIA_ASSERT(!link());
   const SpecimenShape& old = state_.specimen;
-  state_.specimen =
-      measure_specimen(state_.particles.position(), state_.particles.radius(), old.outline, axis, state_, old.volume);
+  state_.specimen = measure_specimen(state_.particles.position(), state_.particles.radius(), old.outline, axis, state_,
+                                     old.volume, link());
   return state_.specimen;
 }
 
@@ -121,9 +120,10 @@ void Simulation::protect_bond(Index bond) {
         "this test protects some bonds from breaking, and the contact law does not support that: protect no bonds, or "
         "use a law that has `respects_protection`");
   Bonds& b = state_.bonds;
-  BRECCIA_ASSERT(bond < b.size() && rebuilds_ == 0 && !link());
+  const Bonds& seen = state().bonds;
+  BRECCIA_ASSERT(bond < seen.size() && rebuilds_ == 0);
   b.guarded.resize(b.size(), 0);
-  b.guarded[bond] = 1;
+  if (const auto at = bond_here(seen.i[bond], seen.j[bond])) b.guarded[*at] = 1;
 }
 
 void Simulation::set_cell_velocity(const Mat3& velocity) {
@@ -159,11 +159,20 @@ void Simulation::set_wall_velocity(std::size_t wall, const Vec3& velocity) {
   state_.walls.at(wall).velocity = velocity;
 }
 
-Index Simulation::here(Index row) const {
-  const std::vector<Index>& rows = state_.particles.row;
-  if (rows.empty()) return row;
-  const auto at = std::lower_bound(rows.begin(), rows.end(), row);
-  return at != rows.end() && *at == row ? Index(at - rows.begin()) : elsewhere;
+Index Simulation::here(Index row) const { return link() ? Parts::here(state_.particles, row) : row; }
+
+/// Of two rows of the whole.
+std::optional<Index> Simulation::bond_here(Index row_i, Index row_j) const {
+  const Bonds& b = state_.bonds;
+  const std::pair ends(here(row_i), here(row_j));
+  Index low = 0, high = Index(b.size());
+  while (low < high) {
+    const Index middle = low + (high - low) / 2;
+    if (std::pair(b.i[middle], b.j[middle]) < ends) low = middle + 1;
+    else high = middle;
+  }
+  if (low == b.size() || std::pair(b.i[low], b.j[low]) != ends) return {};
+  return low;
 }
 
 void Simulation::hold(Index row, std::uint8_t mask, const Vec3& velocity, const Vec3& angular_velocity,

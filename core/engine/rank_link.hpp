@@ -29,8 +29,9 @@ class RankLink {
   /// The records of all ranks, in the ranks' order: on the first, or `everywhere`. `counts`: of each rank.
   virtual void gather(const void* own, std::span<const std::size_t> counts, std::size_t record_bytes, void* all,
                       bool everywhere) = 0;
-  /// `to[r]` goes to rank r; what they have sent comes back.
-  virtual std::vector<std::vector<std::byte>> exchange(const std::vector<std::vector<std::byte>>& to) = 0;
+  /// `to[r]`, whole records, goes to rank r; what they have sent comes back.
+  virtual std::vector<std::vector<std::byte>> exchange(const std::vector<std::vector<std::byte>>& to,
+                                                       std::size_t record_bytes) = 0;
 
   /// Rows of other ranks that stand among the own ones as copies.
   struct Copies {

@@ -66,4 +66,11 @@ void pick(std::vector<T>& array, const std::vector<Index>& rows) {
   array.swap(kept);
 }
 
+/// Where each of `size` rows stands among those named, or 0xffffffff.
+inline std::vector<Index> inverse(const std::vector<Index>& rows, std::size_t size) {
+  std::vector<Index> to(size, 0xffffffffu);
+  for (Index k = 0; k < rows.size(); ++k) to[rows[k]] = k;
+  return to;
+}
+
 }  // namespace breccia

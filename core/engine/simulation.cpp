@@ -24,27 +24,47 @@ constexpr double counted_reach = 0.3;
 Simulation::Simulation(State state, Interactions laws, const EngineSettings& settings)
     : state_(std::move(state)), laws_(std::move(laws)), settings_(settings) {
   state_.dissipated.resize(laws_.size());
+  if (settings_.link) parts_.emplace(*settings_.link).begin(state_);
   const auto r = state_.particles.radius();
-  const double mean_radius = std::accumulate(r.begin(), r.end(), 0.0) / double(r.size());
-  skin_ = settings_.skin * mean_radius;
-  reach_ = std::min(settings_.skin, counted_reach) * mean_radius;
-  pair_length_ = 2 * *std::max_element(r.begin(), r.end()) + skin_;
-  solid_volume_ = breccia::solid_volume(r, state_);
+  std::vector<ExactSum> sums(2);
+  for (const double one : r) {
+    sums[0].add(one);
+    sums[1].add(breccia::solid_volume({&one, 1, sizeof one}, state_));
+  }
+  const std::vector<double> all = totals(sums, link());
+  mean_radius_ = all[0] / double(all_particles());
+  skin_ = settings_.skin * mean_radius_;
+  reach_ = std::min(settings_.skin, counted_reach) * mean_radius_;
+  pair_length_ = 2 * largest_of_ranks(link(), *std::max_element(r.begin(), r.end())) + skin_;
+  solid_volume_ = all[1];
   loads_.reset(state_);
-  if (settings_.link) parts_.emplace(*settings_.link);
 }
 
 BondingResult Simulation::bond(const BondingRule& rule, const std::optional<SpecimenToTell>& told) {
   // Laws that make no bonds: what would be bonded are the contacts by whose stiffness a test is led.
-  const BondingResult chosen = choose_bonds(state_, rule, laws_.makes_bonds() ? state_.bonds : contacts_),
+  const BondingResult chosen = choose_bonds(state_, rule, laws_.makes_bonds() ? state_.bonds : contacts_,
+                                            parts_ ? &*parts_ : nullptr),
                       result = laws_.makes_bonds() ? chosen : BondingResult{};
+  loads_.shift_to(state_.particles);
   Assembly a;
   a.dimension = state_.dimension;
   a.thickness = state_.thickness;
-  a.radius = state_.particles.radius();
-  a.mass = state_.particles.mass();
-  a.bond_i = state_.bonds.i;
-  a.bond_j = state_.bonds.j;
+  // Laws may average over all there is: they see it whole.
+  const Particles& p = state_.particles;
+  const Bonds& b = state_.bonds;
+  std::vector<double> radius(p.radius().begin(), p.radius().end()), mass(p.mass().begin(), p.mass().end());
+  std::vector<Index> bond_i = b.i, bond_j = b.j;
+  if (parts_) {
+    radius = parts_->gathered_rows(radius, p, true);
+    mass = parts_->gathered_rows(mass, p, true);
+    const std::size_t first = first_counted(b.i, p);
+    bond_i = parts_->gathered(as_rows(b.i, first, p), true);
+    bond_j = parts_->gathered(as_rows(b.j, first, p), true);
+  }
+  a.radius = radius;
+  a.mass = mass;
+  a.bond_i = bond_i;
+  a.bond_j = bond_j;
   a.porosity = told ? told->porosity : porosity();
   a.coordination_number = told ? told->coordination_number : result.coordination_number;
   laws_.prepare(a);
@@ -57,7 +77,6 @@ void Simulation::prepare() {
   critical_ = bound_ = std::numeric_limits<double>::infinity();
   mass_pending_ = settings_.added_mass > 0;
   state_.positions_at_look.clear();  // all pairs are to be looked at
-  if (parts_) cut();
   rebuild();
   check_stiffness(state_, laws_);
   if (!std::isfinite(critical_) && reach_ < skin_) {  // nothing touches yet: what may do so some day sets the step
@@ -67,8 +86,8 @@ void Simulation::prepare() {
   }
   mass_pending_ = false;
   if (!std::isfinite(critical_) && any_rank(link(), state_.bonds.size() > 0))
-    throw UserError("contact law " + laws_.names() + " states no stiffness for any of the " +
-                    std::to_string(state_.bonds.size()) + " bonds: there is none to set a time step");
+    throw UserError("contact law " + laws_.names() +
+                    " states no stiffness for any of the bonds: there is none to set a time step");
   if (!std::isfinite(critical_))
     throw UserError(
         "no bond or contact is stiff enough to set a time step: the particles do not touch; "

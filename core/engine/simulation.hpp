@@ -52,14 +52,17 @@ class Simulation final : public LoadControl {
   void advance();
   bool forces_known() const { return forces_known_; }  ///< the resultants are those of the present positions
 
-  SimulationView view();  ///< valid until the next call that changes anything
+  /// Valid until the next call that changes anything. Of a specimen in parts: on the first rank, or everywhere; the
+  /// others then see no lists.
+  SimulationView view(bool everywhere = false);
   /// Of a specimen in parts this rank's; on the first rank all of it from `view()` or `gather()` until the next call
   /// that changes anything; the others then see no lists.
   const State& state() const { return whole_ ? whole_->state : state_; }
-  /// Brings the parts of the specimen together on the first rank, for `state` and `archive`; all ranks call it
-  /// together. Nothing where there is one.
+  /// Brings the parts of the specimen together on the first rank, for `state` and for writing a checkpoint; all ranks
+  /// call it together. Nothing where there is one.
   void gather();
-  std::size_t pairs() const { return pairs_; }                     ///< of the whole specimen, when the list was made
+  std::size_t pairs() const { return pairs_; }  ///< of the whole specimen, when the list was made
+  std::size_t all_particles() const { return parts_ ? parts_->rows() : state_.particles.size(); }
   double seconds_gathering() const { return seconds_gathering_; }  ///< so far, for views and for protocols that look
   int changes_of_ranks() const { return parts_ ? parts_->changes() : 0; }  ///< of particles, as work shifted
   std::uint64_t rebuilds() const { return rebuilds_; }
@@ -74,7 +77,8 @@ class Simulation final : public LoadControl {
   double porosity() const;  ///< 1 - sum of particle volumes / specimen volume
 
   /// Between a step's `advance()` and the next one's `forces()`: all that the steps to come depend on. Read into a
-  /// simulation of the same packing, bonds, laws and walls, on which `prepare()` was called; any number of threads.
+  /// simulation of the same packing, bonds, laws and walls, on which `prepare()` was called; any number of threads and
+  /// ranks: all read it together, the first writes what `gather()` has brought there.
   /// UserError when it has another number of walls.
   void archive(Archive& archive);
   /// After `bond()`: the particles, bonds and contacts of such a state, of the same packing, bonds and laws, for
@@ -110,18 +114,22 @@ class Simulation final : public LoadControl {
 
  private:
   /// The link when the specimen is in parts, else null: all that is here is all there is.
-  RankLink* link() const { return parts_ && parts_->parted() ? &parts_->link() : nullptr; }
-  static constexpr Index elsewhere = 0xffffffffu;
+  RankLink* link() const { return parts_ ? &parts_->link() : nullptr; }
+  static constexpr Index elsewhere = Parts::elsewhere;
   Index here(Index row) const;  ///< of a row of the whole; or `elsewhere`
-  void cut();
-  void join();
+  std::optional<Index> bond_here(Index row_i, Index row_j) const;
   void balance();
+  void deal_again();
   void gather(bool for_archive, bool everywhere);
   void see_particles() const;
   void rebuild();
   void deal_pairs();
   void archive_state(Archive& archive);
-  void archive_lists(Archive& archive);
+  void archive_lists(SpecimenArchive& archive);
+  void find_lists(SpecimenArchive& archive);
+  void archive_bonds(SpecimenArchive& archive);
+  void archive_pairs(SpecimenArchive& archive);
+  void archive_accounts(Archive& archive);
   void look();
   void add_mass_for_step();
   double share_of_critical() const;
@@ -142,7 +150,7 @@ class Simulation final : public LoadControl {
   State state_;
   Interactions laws_;
   EngineSettings settings_;
-  double solid_volume_ = 0;  // [m3]
+  double solid_volume_ = 0, mean_radius_ = 0;  // [m3], [m]
   double skin_ = 0, reach_ = 0, critical_ = 0, bound_ = 0;
   Bonds contacts_;          ///< at the start, where no law makes bonds: for `bond_stiffness`
   double pair_length_ = 0;  ///< how far apart the centres of two neighbours are at the most [m]
@@ -156,12 +164,13 @@ class Simulation final : public LoadControl {
   /// The specimen brought together, until something changes.
   struct Whole {
     State state;
-    Bonds contacts;
+    bool everywhere = false;
+    // For a checkpoint.
+    bool for_archive = false;
     SpectralStep spectral;
     ExternalLoads loads;
     std::vector<Dissipated> chunk_dissipated;
     std::vector<BlockAccount> block_accounts;
-    bool for_archive = false;
   };
   std::unique_ptr<Whole> whole_;
   mutable std::optional<Particles> seen_;  ///< those of all ranks, for a protocol

@@ -11,55 +11,23 @@
 namespace breccia {
 namespace {
 
-void archive_particles(Archive& archive, Particles& p) {
-  const Archive::Group group(archive, "particles");
-  const std::vector<Index>& id = p.id;
-  archive_by_id(archive, "position", p.position(), id);
-  archive_by_id(archive, "velocity", p.velocity(), id);
-  archive_by_id(archive, "angular_velocity", p.angular_velocity(), id);
-  archive_by_id(archive, "radius", p.radius(), id);
-  archive_by_id(archive, "mass", p.mass(), id);
-  archive_by_id(archive, "inertia", p.inertia(), id);
-  archive_by_id(archive, "force", p.force(), id);
-  archive_by_id(archive, "torque", p.torque(), id);
-  archive_by_id(archive, "reference_position", p.reference_position, id);
-  archive_by_id(archive, "applied_force", p.applied_force, id);
-  archive_by_id(archive, "applied_torque", p.applied_torque, id);
-  archive_by_id(archive, "applied_moment", p.applied_moment, id);
-  archive_by_id(archive, "holding_arm", p.holding_arm, id);
-  archive_by_id(archive, "held", p.held, id);
-  archive_by_id(archive, "material", p.material, id);
-}
-
-void archive_bonds(Archive& archive, Bonds& b, const std::vector<Index>& id, const std::vector<Index>& row) {
-  const Archive::Group group(archive, "bonds");
-  archive_particles(archive, "i", Strided<Index>(b.i), id, row);
-  archive_particles(archive, "j", Strided<Index>(b.j), id, row);
-  archive("pair", b.pair);
-  archive("initial_distance", b.initial_distance);
-  archive("state", b.state);
-  archive("guarded", b.guarded);
-  archive("crack_of", b.crack_of);
-  archive.records("cracks", b.cracks, std::pair("time", &Crack::time), std::pair("position", &Crack::position),
-                  std::pair("normal", &Crack::normal), std::pair("energy", &Crack::energy));
-  archive("released", b.released);
-}
-
-void archive_pairs(Archive& archive, Pairs& q, const std::vector<Index>& id, const std::vector<Index>& row) {
-  const Archive::Group group(archive, "pairs");
-  archive("state", q.state);
-  if (archive.reading()) {
-    const std::size_t n = q.state.size();
-    q.i.resize(n);
-    q.j.resize(n);
-    q.force.assign(n, PairForce{});
-    if (!q.moment.empty()) q.moment.assign(n, Vec3::Zero());
-  }
-  archive_particles(archive, "i", Strided<Index>(q.i), id, row);
-  archive_particles(archive, "j", Strided<Index>(q.j), id, row);
-  archive("bond", q.bond);
-  archive("rest_length", q.rest_length);
-  archive("history", q.columns);
+void archive_particles(SpecimenArchive& archive, Particles& p) {
+  const Archive::Group group(archive.plain(), "particles");
+  archive.by_id("position", p.position());
+  archive.by_id("velocity", p.velocity());
+  archive.by_id("angular_velocity", p.angular_velocity());
+  archive.by_id("radius", p.radius());
+  archive.by_id("mass", p.mass());
+  archive.by_id("inertia", p.inertia());
+  archive.by_id("force", p.force());
+  archive.by_id("torque", p.torque());
+  archive.by_id("reference_position", p.reference_position);
+  archive.by_id("applied_force", p.applied_force);
+  archive.by_id("applied_torque", p.applied_torque);
+  archive.by_id("applied_moment", p.applied_moment);
+  archive.by_id("holding_arm", p.holding_arm);
+  archive.by_id("held", p.held);
+  archive.by_id("material", p.material);
 }
 
 void archive_walls(Archive& archive, std::vector<Wall>& walls) {
@@ -82,32 +50,34 @@ void archive_specimen(Archive& archive, SpecimenShape& s) {
 
 }  // namespace
 
-void SpectralStep::archive(Archive& archive, const std::vector<Index>& id) {
+void SpectralStep::archive(SpecimenArchive& archive, std::size_t particles) {
   std::uint8_t there = !mode_.empty();
-  archive("is_there", there);
-  if (archive.reading()) mode_.assign(there ? id.size() + 1 : 0, Vec6::Zero());
-  if (there) archive_by_id(archive, "mode", Strided<Vec6>(mode_.data(), id.size(), sizeof(Vec6)), id);
-  archive_touches(archive, "known_touches", known_touches_, id, inverse_of(id));
-  archive("products", products_);
+  archive.plain()("is_there", there);
+  if (archive.reading()) mode_.assign(there ? particles + 1 : 0, Vec6::Zero());
+  if (there) archive.by_id("mode", Strided<Vec6>(mode_.data(), particles, sizeof(Vec6)));
+  archive.touches("known_touches", known_touches_);
+  archive.plain()("products", products_);
 }
 
-/// Of a specimen in parts: read by all ranks, written by the first from what `gather()` has brought there.
 void Simulation::archive(Archive& archive) {
   const std::size_t walls = state_.walls.size();
-  const bool in_parts = link();
-  if (in_parts && archive.reading()) join();
-  if (in_parts && !archive.reading()) BRECCIA_ASSERT(whole_ && whole_->for_archive);
+  const bool of_whole = link() && !archive.reading();
   const auto swap_whole = [&] {
+    if (!of_whole) return;
+    BRECCIA_ASSERT(whole_ && whole_->for_archive);
     std::swap(state_, whole_->state);
     std::swap(spectral_, whole_->spectral);
     std::swap(loads_, whole_->loads);
     chunk_dissipated_.swap(whole_->chunk_dissipated);
     block_accounts_.swap(whole_->block_accounts);
   };
-  if (link()) swap_whole();
+  swap_whole();
   archive_state(archive);
-  if (link()) swap_whole();
-  else if (in_parts) cut();
+  swap_whole();
+  if (archive.reading()) {
+    whole_.reset();
+    seen_.reset();
+  }
   if (state_.walls.size() != walls)
     throw UserError("the test of the checkpoint has " + std::to_string(state_.walls.size()) + " walls, this one " +
                     std::to_string(walls) + ": with these values of its protocol it cannot go on from there");
@@ -116,7 +86,8 @@ void Simulation::archive(Archive& archive) {
 void Simulation::archive_state(Archive& archive) {
   BRECCIA_ASSERT(!forces_known_ && led_.empty() && !mass_pending_ && (archive.reading() || !any_led_));
   State& s = state_;
-  const std::vector<Index>& id = s.particles.id;
+  SpecimenArchive lists(archive, s.particles, archive.reading() && parts_ ? &*parts_ : nullptr);
+  if (lists.parts()) find_lists(lists);
   archive("time", s.time);
   archive("time_step", s.time_step);
   archive("step", s.step);
@@ -126,7 +97,7 @@ void Simulation::archive_state(Archive& archive) {
   archive("reference_cell", s.reference_cell);
   archive("cell_force_across", s.cell_forces.across);
   archive("cell_virial", s.cell_forces.virial);
-  archive_particles(archive, s.particles);
+  archive_particles(lists, s.particles);
   archive_walls(archive, s.walls);
   archive_specimen(archive, s.specimen);
   archive("energy", s.energy);
@@ -141,13 +112,13 @@ void Simulation::archive_state(Archive& archive) {
   archive("loading_started", loading_started_);
   archive("rebuilds", rebuilds_);
   archive("broken", broken_);
-  archive_lists(archive);
+  archive_lists(lists);
   {
     const Archive::Group group(archive, "fastest_mode");
-    spectral_.archive(archive, id);
+    spectral_.archive(lists, s.particles.size());
   }
   const Archive::Group group(archive, "loads");
-  loads_.archive(archive, id);
+  loads_.archive(lists, s.particles);
 }
 
 void Simulation::take_specimen(Archive& from) {
@@ -155,14 +126,25 @@ void Simulation::take_specimen(Archive& from) {
   State& s = state_;
   Particles& p = s.particles;
   const SpecimenShape packed = s.specimen;
-  const std::vector<double> mass(p.mass().begin(), p.mass().end()), inertia(p.inertia().begin(), p.inertia().end());
-  const std::vector<std::uint8_t> held = p.held;
+  struct Packed {
+    double mass, inertia;
+    std::uint8_t held;
+  };
+  std::vector<Packed> own;
+  for (std::size_t a = p.first_own(); a < p.end_own(); ++a) own.push_back({p.mass()[a], p.inertia()[a], p.held[a]});
   archive_state(from);
   // Mass may have been added for that test's time step.
-  std::copy(mass.begin(), mass.end(), p.mass().begin());
-  std::copy(inertia.begin(), inertia.end(), p.inertia().begin());
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    const std::size_t a = p.first_own() + k;
+    p.mass()[a] = own[k].mass;
+    p.inertia()[a] = own[k].inertia;
+    p.held[a] = own[k].held;
+  }
+  if (link()) {
+    link()->forward(p.motion);
+    link()->forward(p.held);
+  }
   added_mass_ = {};
-  p.held = held;
   p.holding_arm.clear();
   p.applied_force.clear();
   p.applied_torque.clear();
@@ -183,7 +165,7 @@ void Simulation::take_specimen(Archive& from) {
   s.cell_velocity_asked.setZero();
   s.reference_cell = s.cell;
   p.reference_position.assign(p.position().begin(), p.position().end());
-  s.specimen = measure_specimen(p.position(), p.radius(), packed.outline, packed.axis, s, packed.volume);
+  s.specimen = measure_specimen(p.position(), p.radius(), packed.outline, packed.axis, s, packed.volume, link());
   spectral_ = {};
   loads_.reset(s);
 }
@@ -194,27 +176,136 @@ void Simulation::adapt() {
   rebuild();
 }
 
-void Simulation::archive_lists(Archive& archive) {
+/// Of a part: its pairs and bonds, and copies of all that they meet. What was known before of either goes.
+void Simulation::find_lists(SpecimenArchive& archive) {
   State& s = state_;
-  const std::vector<Index>&id = s.particles.id, row = inverse_of(id);
-  archive_bonds(archive, s.bonds, id, row);
-  archive_pairs(archive, s.pairs, id, row);
-  archive_touches(archive, "wall_touches", s.wall_touches, id, row);
-  archive_by_id(archive, "positions_at_rebuild", s.positions_at_rebuild, id);
+  s.pairs = Pairs{};
+  s.bonds = Bonds{};
+  s.wall_touches.clear();
+  spectral_.known_touches_.clear();
+  std::vector<Index> met;
+  for (Index row = parts_->first_row(); row < parts_->end_row(); ++row) met.push_back(row);
+  for (const auto* of : {&contacts_.i, &contacts_.j})
+    for (const Index a : *of) met.push_back(s.particles.row_of(a));
+  const auto find = [&](const char* group_name, std::vector<Index>& i, std::vector<Index>& j,
+                        std::vector<Index>& kept) {
+    const Archive::Group group(archive.plain(), group_name);
+    std::vector<Index> all_i, all_j;
+    archive.rows("i", all_i);
+    archive.rows("j", all_j);
+    const auto own = [&](Index row) { return row >= parts_->first_row() && row < parts_->end_row(); };
+    kept.clear();
+    for (Index k = 0; k < std::min(all_i.size(), all_j.size()); ++k) {
+      if (!own(all_i[k]) && !own(all_j[k])) continue;
+      kept.push_back(k);
+      i.push_back(all_i[k]);
+      j.push_back(all_j[k]);
+    }
+    met.insert(met.end(), i.begin(), i.end());
+    met.insert(met.end(), j.begin(), j.end());
+  };
+  std::vector<Index> pair_i, pair_j, bond_i, bond_j;
+  find("pairs", pair_i, pair_j, archive.kept_pairs);
+  find("bonds", bond_i, bond_j, archive.kept_bonds);
+  std::sort(met.begin(), met.end());
+  met.erase(std::unique(met.begin(), met.end()), met.end());
+  parts_->place(s, contacts_, met);
+  parts_->link().forward(s.particles.id);
+  const auto name = [&](Index row) { return here(row); };
+  const std::pair<std::vector<Index>*, std::vector<Index>*> lists[] = {
+      {&pair_i, &s.pairs.i}, {&pair_j, &s.pairs.j}, {&bond_i, &s.bonds.i}, {&bond_j, &s.bonds.j}};
+  for (const auto& [rows, to] : lists) {
+    to->resize(rows->size());
+    std::transform(rows->begin(), rows->end(), to->begin(), name);
+  }
+}
+
+void Simulation::archive_bonds(SpecimenArchive& archive) {
+  Bonds& b = state_.bonds;
+  const Archive::Group group(archive.plain(), "bonds");
+  if (!archive.parts()) {
+    archive.rows("i", b.i);
+    archive.rows("j", b.j);
+    archive.plain()("pair", b.pair);
+  }
+  archive.list("initial_distance", b.initial_distance, archive.kept_bonds);
+  archive.list("state", b.state, archive.kept_bonds);
+  archive.list("guarded", b.guarded, archive.kept_bonds);
+  archive.list("crack_of", b.crack_of, archive.kept_bonds);
+  archive.plain().records("cracks", b.cracks, std::pair("time", &Crack::time), std::pair("position", &Crack::position),
+                          std::pair("normal", &Crack::normal), std::pair("energy", &Crack::energy));
+  archive.list("released", b.released, archive.kept_bonds);
+  if (!archive.parts()) return;
+  std::vector<Index> kept;
+  for (const Index c : b.crack_of)
+    if (c != BondsView::no_crack) kept.push_back(c);
+  std::sort(kept.begin(), kept.end());
+  const std::vector<Index> here = inverse(kept, b.cracks.size());
+  pick(b.cracks, kept);
+  for (Index& c : b.crack_of)
+    if (c != BondsView::no_crack) c = here.at(c);
+  parts_->know_cracks(kept);
+}
+
+void Simulation::archive_pairs(SpecimenArchive& archive) {
+  Pairs& q = state_.pairs;
+  const Archive::Group group(archive.plain(), "pairs");
+  archive.list("state", q.state, archive.kept_pairs);
+  if (!archive.parts()) {
+    archive.rows("i", q.i);
+    archive.rows("j", q.j);
+    archive.plain()("bond", q.bond);
+  }
+  archive.list("rest_length", q.rest_length, archive.kept_pairs);
+  archive.plain()("history", q.columns);
+  if (archive.parts())
+    for (auto& column : q.columns) pick(column, archive.kept_pairs);
+  if (!archive.reading()) return;
+  q.force.assign(q.size(), PairForce{});
+  if (laws_.has_moments()) q.moment.assign(q.size(), Vec3::Zero());
+}
+
+void Simulation::archive_lists(SpecimenArchive& lists) {
+  State& s = state_;
+  Archive& archive = lists.plain();
+  archive_bonds(lists);
+  archive_pairs(lists);
+  if (lists.parts()) link_bonds(s.pairs, s.bonds);
+  lists.touches("wall_touches", s.wall_touches);
+  lists.by_id("positions_at_rebuild", s.positions_at_rebuild);
   archive("cell_at_rebuild", s.cell_at_rebuild);
   archive("moved_bound", s.moved_bound);
   archive("walls_moved", s.walls_moved);
   archive("strained", s.strained);
-  archive_by_id(archive, "positions_at_look", s.positions_at_look, id);
+  lists.by_id("positions_at_look", s.positions_at_look);
   archive("cell_at_look", s.cell_at_look);
   archive("moved_since_look", s.moved_since_look);
   archive("walls_moved_since_look", s.walls_moved_since_look);
   archive("strained_since_look", s.strained_since_look);
   if (archive.reading()) deal_pairs();
-  // Not yet in the ledger: added up there when it is looked at, and at no other time.
-  archive("chunk_dissipated", chunk_dissipated_);
-  archive("block_accounts", block_accounts_);
+  archive_accounts(archive);
   if (archive.reading()) led_work_ = {};
+}
+
+/// Not yet in the ledger: added up there when it is looked at, and at no other time.
+void Simulation::archive_accounts(Archive& archive) {
+  std::vector<Dissipated> of_chunks;
+  std::vector<BlockAccount> of_blocks;
+  if (!archive.reading()) {
+    archive("chunk_dissipated", chunk_dissipated_);
+    archive("block_accounts", block_accounts_);
+    return;
+  }
+  archive("chunk_dissipated", of_chunks);
+  archive("block_accounts", of_blocks);
+  const std::size_t laws = laws_.size(), first = chunks_.first_counted() * laws;
+  const auto take = [&]<class T>(const std::vector<T>& all, std::span<T> own) {
+    const std::size_t at = link() ? parts_->before(own.size()) : 0;
+    if (at + own.size() > all.size()) throw UserError("the accounts of energies are not those of these particles");
+    std::copy_n(all.begin() + std::ptrdiff_t(at), own.size(), own.begin());
+  };
+  take(of_chunks, std::span(chunk_dissipated_).subspan(first));
+  take(of_blocks, std::span(block_accounts_));
 }
 
 }  // namespace breccia

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A specimen in parts: how it is cut, brought together and seen by those who ask for all of it.
+// A specimen in parts: who owns what, and how it is brought together and seen by those who ask for all of it.
 #include <algorithm>
 #include <chrono>
 
@@ -19,107 +19,70 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-template <class T>
-std::vector<T> slice(const std::vector<T>& of, std::size_t begin, std::size_t end) {
-  return {of.begin() + std::ptrdiff_t(begin), of.begin() + std::ptrdiff_t(end)};
-}
-
 }  // namespace
-
-/// Of the whole specimen, which is the same on all ranks, to this rank's part.
-void Simulation::cut() {
-  const Chunks chunks = chunks_;
-  const auto dissipated = chunk_dissipated_;
-  const auto accounts = block_accounts_;
-  const bool dealt = rebuilds_ > 0;
-  parts_->cut(state_, contacts_);
-  const Particles& p = state_.particles;
-  if (!spectral_.mode_.empty()) {
-    std::vector<Vec6> mode;
-    for (const Index row : p.row) mode.push_back(spectral_.mode_[row]);
-    mode.push_back(Vec6::Zero());
-    spectral_.mode_.swap(mode);
-  }
-  std::erase_if(spectral_.known_touches_, [&](const WallTouch& t) {
-    return t.particle < parts_->first_row() || t.particle >= parts_->end_row();
-  });
-  for (WallTouch& t : spectral_.known_touches_) t.particle -= Index(p.shift());
-  std::erase_if(led_,
-                [&](const Led& l) { return l.particle < parts_->first_row() || l.particle >= parts_->end_row(); });
-  if (!parts_->link().first()) led_work_ = {};  // until now each had all of it
-  loads_.shift_to(p);
-  seen_.reset();
-  whole_.reset();
-  if (!dealt) return;
-  deal_pairs();
-  const std::size_t first = parts_->first_row() / particle_block, laws = laws_.size();
-  const std::size_t begin = chunks.block_start[first], end = chunks.block_start[first + chunks_.blocks()];
-  const auto own = slice(dissipated, begin * laws, end * laws);
-  std::copy(own.begin(), own.end(), chunk_dissipated_.begin() + std::ptrdiff_t(chunks_.first_counted() * laws));
-  block_accounts_ = slice(accounts, first, first + chunks_.blocks());
-}
 
 void Simulation::gather() {
   if (link()) gather(true, false);
 }
 
 void Simulation::gather(bool for_archive, bool everywhere) {
-  if (whole_ && (whole_->for_archive || !for_archive)) return;
+  if (whole_ && (whole_->for_archive || !for_archive) && (whole_->everywhere || !everywhere)) return;
   const Stopwatch watch(seconds_gathering_);
   auto whole = std::make_unique<Whole>();
+  whole->everywhere = everywhere;
   whole->for_archive = for_archive;
-  const Particles& p = state_.particles;
   if (for_archive) {
-    const std::size_t laws = laws_.size();
+    const Particles& p = state_.particles;
     whole->chunk_dissipated = parts_->gathered(
-        std::span<const Dissipated>(chunk_dissipated_).subspan(chunks_.first_counted() * laws), everywhere);
-    whole->block_accounts = parts_->gathered(std::span<const BlockAccount>(block_accounts_), everywhere);
+        std::span<const Dissipated>(chunk_dissipated_).subspan(chunks_.first_counted() * laws_.size()), everywhere);
+    whole->block_accounts = parts_->gathered(block_accounts_, everywhere);
     whole->spectral = spectral_;
     whole->spectral.mode_ = parts_->gathered_rows(spectral_.mode_, p, everywhere);
     if (!whole->spectral.mode_.empty()) whole->spectral.mode_.push_back(Vec6::Zero());
     std::vector<WallTouch> touches = spectral_.known_touches_;
-    for (WallTouch& t : touches) t.particle += Index(p.shift());
-    touches = parts_->gathered(std::span<const WallTouch>(touches), everywhere);
+    for (WallTouch& t : touches) t.particle = p.row_of(t.particle);
+    touches = parts_->gathered(touches, everywhere);
     std::stable_sort(touches.begin(), touches.end(),
                      [](const WallTouch& a, const WallTouch& b) { return a.wall < b.wall; });
     whole->spectral.known_touches_.swap(touches);
     std::vector<std::pair<Index, ExternalLoads::Load>> loads;
     loads_.for_each(p, [&](Index row, const ExternalLoads::Load& load) { loads.emplace_back(row, load); });
-    whole->loads.clear(parts_->rows());
-    for (const auto& [row, load] :
-         parts_->gathered(std::span<const std::pair<Index, ExternalLoads::Load>>(loads), everywhere))
-      whole->loads.put(row, load);
-    if (everywhere) whole->contacts = parts_->whole(contacts_, p, true);
+    loads = parts_->gathered(loads, everywhere);
+    whole->state = parts_->whole(state_, everywhere);
+    whole->loads.clear(whole->state.particles);
+    for (const auto& [row, load] : loads) whole->loads.put(row, load);
+  } else {
+    whole->state = parts_->whole(state_, everywhere);
   }
-  whole->state = parts_->whole(state_, everywhere);
   whole_ = std::move(whole);
 }
 
-/// All of it on all ranks, as before `cut()`.
-void Simulation::join() {
-  whole_.reset();
-  gather(true, true);
-  const std::unique_ptr<Whole> whole = std::move(whole_);
-  const double led = totals({&led_work_, 1}, link())[0];
-  parts_->join();
-  std::swap(state_, whole->state);
-  contacts_ = std::move(whole->contacts);
-  spectral_ = std::move(whole->spectral);
-  loads_ = std::move(whole->loads);
-  led_work_ = {};
-  led_work_.add(led);
-  deal_pairs();
-  chunk_dissipated_ = std::move(whole->chunk_dissipated);
-  block_accounts_ = std::move(whole->block_accounts);
-  seen_.reset();
+/// What stands by particle goes with its particle. Accounts of chunks and blocks are in the ledger, and what walls and
+/// the protocol apply is added up anew.
+void Simulation::deal_again() {
+  const Particles& p = state_.particles;
+  const auto name_by_rows = [&](std::vector<WallTouch>& touches) {
+    for (WallTouch& t : touches) t.particle = p.row_of(t.particle);
+  };
+  name_by_rows(spectral_.known_touches_);
+  const std::size_t first = p.first_own(), own = p.end_own() - first;
+  const Migration move = parts_->deal_again(state_, contacts_);
+  if (auto& mode = spectral_.mode_; !mode.empty()) {
+    const std::vector<Vec6> moved = move.rows(std::span<const Vec6>(mode).subspan(first, own));
+    mode.assign(p.size() + 1, Vec6::Zero());
+    std::copy(moved.begin(), moved.end(), mode.begin() + std::ptrdiff_t(p.first_own()));
+  }
+  auto& touches = spectral_.known_touches_;
+  touches = move.by_row(touches, [](const WallTouch& t) { return t.particle; });
+  std::stable_sort(touches.begin(), touches.end(),
+                   [](const WallTouch& a, const WallTouch& b) { return a.wall < b.wall; });
+  for (WallTouch& t : touches) t.particle = here(t.particle);
+  led_ = move.by_row(led_, [](const Led& l) { return l.particle; });
 }
 
 /// Before the list of pairs is made anew: who owns what, where work is dealt unevenly, and whose copies stand here.
 void Simulation::balance() {
-  if (parts_->imbalance(state_) > parts_->link().tolerated_imbalance()) {
-    join();
-    cut();
-  }
+  if (parts_->imbalance(state_) > parts_->link().tolerated_imbalance()) deal_again();
   if (state_.cell.repeats()) refuse_narrow_cell(state_, pair_length_);  // on all ranks or on none
   const Particles& p = state_.particles;
   const std::size_t before = p.first_own();

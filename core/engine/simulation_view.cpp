@@ -45,10 +45,10 @@ ParticlesView Simulation::particles() const {
 }
 
 /// Of a specimen in parts the first rank has the lists, the others what is no list.
-SimulationView Simulation::view() {
+SimulationView Simulation::view(bool everywhere) {
   BRECCIA_ASSERT(pair_forces_known_);
   const EnergyLedger energy = ledger();
-  if (link()) gather(false, false);
+  if (link()) gather(false, everywhere);
   const State& s = state();
   SimulationView v;
   v.energy = energy;

@@ -2,6 +2,7 @@
 /// The largest stable time step of the whole system, from its fastest mode.
 #pragma once
 
+#include "engine/archive_by_id.hpp"
 #include "engine/stiffness_operator.hpp"
 
 namespace breccia {
@@ -34,11 +35,10 @@ class SpectralStep {
               const std::vector<Index>& changed, double bound_of_changed, double step, RankLink* link = nullptr);
 
   int products() const { return products_; }  ///< in all: what the estimates cost
-  /// `id`: of the particles, in the packing.
-  void archive(Archive& archive, const std::vector<Index>& id);
+  void archive(SpecimenArchive& archive, std::size_t particles);
 
  private:
-  friend class Simulation;  // which hands both on when the specimen is cut or joined
+  friend class Simulation;  // which hands both on as particles change their ranks
   Result climb(const StiffnessOperator& system, const Particles& p, int threads, int at_least, RankLink* link);
   void remember(const State& state, double reach);
 

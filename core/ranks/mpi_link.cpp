@@ -90,22 +90,29 @@ class MpiLink final : public RankLink {
     if (everywhere) MPI_Allgatherv(own, mine, type, all, count.data(), start.data(), type, comm_);
     else MPI_Gatherv(own, mine, type, all, count.data(), start.data(), type, 0, comm_);
   }
-  std::vector<std::vector<std::byte>> exchange(const std::vector<std::vector<std::byte>>& to) override {
+  std::vector<std::vector<std::byte>> exchange(const std::vector<std::vector<std::byte>>& to,
+                                               std::size_t bytes) override {
     const std::size_t n = std::size_t(ranks_);
-    std::vector<int> give(n), take(n), give_at(n, 0), take_at(n, 0);
-    for (std::size_t r = 0; r < n; ++r) give[r] = int(to[r].size());
+    std::vector<int> give(n), take(n), give_at(n, 0),
+        take_at(n, 0);  // in records: there are more bytes than an int has
+    for (std::size_t r = 0; r < n; ++r) give[r] = int(to[r].size() / bytes);
     MPI_Alltoall(give.data(), 1, MPI_INT, take.data(), 1, MPI_INT, comm_);
     for (std::size_t r = 1; r < n; ++r) {
       give_at[r] = give_at[r - 1] + give[r - 1];
       take_at[r] = take_at[r - 1] + take[r - 1];
     }
-    std::vector<std::byte> given, taken(std::size_t(take_at.back() + take.back()));
+    std::vector<std::byte> given, taken(std::size_t(take_at.back() + take.back()) * bytes);
     for (const auto& part : to) given.insert(given.end(), part.begin(), part.end());
-    MPI_Alltoallv(given.data(), give.data(), give_at.data(), MPI_BYTE, taken.data(), take.data(), take_at.data(),
-                  MPI_BYTE, comm_);
+    const MPI_Datatype type = of_size(bytes);
+    MPI_Alltoallv(given.data(), give.data(), give_at.data(), type, taken.data(), take.data(), take_at.data(), type,
+                  comm_);
     std::vector<std::vector<std::byte>> from(n);
-    for (std::size_t r = 0; r < n; ++r)
-      from[r].assign(taken.begin() + take_at[r], taken.begin() + take_at[r] + take[r]);
+    auto at = taken.cbegin();
+    for (std::size_t r = 0; r < n; ++r) {
+      const auto end = at + std::ptrdiff_t(std::size_t(take[r]) * bytes);
+      from[r].assign(at, end);
+      at = end;
+    }
     return from;
   }
 

@@ -22,7 +22,7 @@ void OneRun::finish() {
   simulation_->gather();
   sum_up_engine(summary_, w_, *simulation_, bonding_, packing_porosity(),
                 {interrupted_, monitor_.threads(), first_step_, loop_seconds_});
-  attempt([&] { sum_up_laws(summary_, *laws_, drawn_, simulation_->state()); });
+  if (ranks_.first()) attempt([&] { sum_up_laws(summary_, *laws_, drawn_, simulation_->state()); });
   if (viewable_) {
     const SimulationView view = simulation_->view();
     if (ranks_.first()) finish_plugins(view);

@@ -61,8 +61,8 @@ void sum_up_packing(SummaryTable& summary, const std::vector<AskedGot>& report) 
   }
 }
 
-std::string bonds_text(const BondingResult& bonding, std::size_t bonds) {
-  return fmt::format("{} bonds: coordination number {:.4f}, {}", bonds, bonding.coordination_number,
+std::string bonds_text(const BondingResult& bonding) {
+  return fmt::format("{} bonds: coordination number {:.4f}, {}", bonding.bonds, bonding.coordination_number,
                      bonding.measure == GapMeasure::relative ? fmt::format("tolerance {:.4f}", bonding.limit)
                                                              : fmt::format("gap {:.4g} m", bonding.limit));
 }
@@ -70,7 +70,7 @@ std::string bonds_text(const BondingResult& bonding, std::size_t bonds) {
 std::string added_mass_text(const Simulation& sim) {
   const AddedMass& added = sim.added_mass();
   return fmt::format("added mass: {:.4g} % of the total, to {} of {} particles, at most {:.4g} times their own",
-                     100 * added.share, added.particles, sim.state().particles.size(), added.largest_factor);
+                     100 * added.share, added.particles, sim.all_particles(), added.largest_factor);
 }
 
 std::string step_text(const Simulation& sim, TimeStep rule, int threads) {

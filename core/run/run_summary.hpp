@@ -27,7 +27,7 @@ void sum_up_laws(SummaryTable& summary, const ContactLaws& laws, const std::vect
 void sum_up_packing(SummaryTable& summary, const std::vector<AskedGot>& report);
 
 /// How many bonds there are, and by which rule.
-std::string bonds_text(const BondingResult& bonding, std::size_t bonds);
+std::string bonds_text(const BondingResult& bonding);
 std::string added_mass_text(const Simulation& sim);
 /// The time step and where it comes from, pairs and threads.
 std::string step_text(const Simulation& sim, TimeStep rule, int threads);

@@ -71,21 +71,23 @@ void OneRun::build() {
     EngineSettings settings = w_.engine_settings(monitor_.threads());
     settings.link = ranks_.link();
     simulation_ = std::make_unique<Simulation>(
-        assemble(packing_.particles, w_.materials_of(packing_.particles), dimension, w_.thickness),
+        assemble(packing_.particles, w_.materials_of(packing_.particles), dimension, w_.thickness, ranks_.link()),
         laws_->interactions(), settings);
     bonding_ = simulation_->bond(w_.bonding.rule());
   });
   memory_is_for(simulation_->state().particles.size(), simulation_->state().bonds.size());
-  monitor_.info(bonds_text(bonding_, simulation_->state().bonds.size()));
+  monitor_.info(bonds_text(bonding_));
+  const double porosity = packing_porosity();
   const SimulationView view = simulation_->view();
-  for (std::size_t l = 0; l < laws_->size(); ++l) {
+  for (std::size_t l = 0; ranks_.first() && l < laws_->size(); ++l) {
     drawn_.push_back(drawn_parameters(laws_->named(l), view));
     for (const DrawnParameter& drawn : drawn_.back()) monitor_.info("  " + drawn.text());
   }
-  check_specimen(view, packing_porosity(), w_.checks, monitor_);
+  if (ranks_.first()) check_specimen(view, porosity, w_.checks, monitor_);
   if (branch_ && !branch_->goes_on()) begin_on_specimen();
   laws_->within([&] {
-    time_column_ = add_columns(simulation_->view(), *simulation_, *protocol_, protocol_id(), posts_, curves_, monitor_);
+    time_column_ =
+        add_columns(simulation_->view(true), *simulation_, *protocol_, protocol_id(), posts_, curves_, monitor_);
   });
   frames_->begin(options_.folder, monitor_);
   laws_->within([&] {
