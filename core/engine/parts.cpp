@@ -33,11 +33,6 @@ std::vector<Index> inverse(const std::vector<Index>& rows, std::size_t size) {
   return to;
 }
 
-/// The first of them that is counted here: all from there on are.
-std::size_t first_counted(const std::vector<Index>& i, const Particles& p) {
-  return std::size_t(std::lower_bound(i.begin(), i.end(), Index(p.first_own())) - i.begin());
-}
-
 std::vector<Index> as_rows(const std::vector<Index>& of, std::size_t from, const Particles& p) {
   std::vector<Index> rows(of.begin() + std::ptrdiff_t(from), of.end());
   for (Index& k : rows) k = p.row_of(k);
@@ -45,6 +40,10 @@ std::vector<Index> as_rows(const std::vector<Index>& of, std::size_t from, const
 }
 
 }  // namespace
+
+std::size_t first_counted(const std::vector<Index>& i, const Particles& p) {
+  return std::size_t(std::lower_bound(i.begin(), i.end(), Index(p.first_own())) - i.begin());
+}
 
 /// Blocks weigh as much as they have particles and pairs, or bonds where pairs are not known yet.
 void Parts::deal(const State& s) {

@@ -77,6 +77,9 @@ class Parts {
   std::vector<CrackKey> crack_keys_;
 };
 
+/// Of bonds, or pairs, by their lower particles: the first that is counted in this part; all from there on are.
+std::size_t first_counted(const std::vector<Index>& i, const Particles& p);
+
 /// Around a block of particles.
 struct BlockBox {
   Vec3 low, high;  ///< of the centres [m]

@@ -66,6 +66,7 @@ void Simulation::gather() {
 void Simulation::gather(bool for_archive, bool everywhere) {
   if (whole_ && (whole_->for_archive || !for_archive)) return;
   const Stopwatch watch(seconds_gathering_);
+  gatherings_ += !everywhere;
   auto whole = std::make_unique<Whole>();
   whole->for_archive = for_archive;
   const Particles& p = state_.particles;

@@ -9,7 +9,7 @@ void sum_up_engine(SummaryTable& summary, const Workflow& w, const Simulation& s
                    double porosity, const ProcessOfRun& run) {
   const State& state = sim.state();
   const std::uint64_t steps = state.step - run.first_step;
-  const std::size_t n = state.particles.size(), bonds = state.bonds.size();
+  const std::size_t n = sim.all_particles(), bonds = sim.all_bonds();
   summary.set("workflow", w.name);
   summary.set("interrupted", run.interrupted);
   summary.set("seed", w.seed);
@@ -70,7 +70,7 @@ std::string bonds_text(const BondingResult& bonding, std::size_t bonds) {
 std::string added_mass_text(const Simulation& sim) {
   const AddedMass& added = sim.added_mass();
   return fmt::format("added mass: {:.4g} % of the total, to {} of {} particles, at most {:.4g} times their own",
-                     100 * added.share, added.particles, sim.state().particles.size(), added.largest_factor);
+                     100 * added.share, added.particles, sim.all_particles(), added.largest_factor);
 }
 
 std::string step_text(const Simulation& sim, TimeStep rule, int threads) {
