@@ -36,6 +36,7 @@ struct MadeSimulation {
   std::vector<WallContact> wall_contacts;
   SpecimenShape specimen;
   EnergyLedger energy;
+  std::optional<PartOfSpecimen> part;
 
   Index add_particle(const Vec3& x, double r) {
     position.push_back(x);
@@ -118,6 +119,7 @@ struct MadeSimulation {
     v.wall_contacts = wall_contacts;
     v.specimen = specimen;
     v.energy = energy;
+    v.part = part;
     return v;
   }
 };

@@ -9,6 +9,7 @@
 #include "check/attempt.hpp"
 #include "check/check.hpp"
 #include "check/example.hpp"
+#include "check/made_parts.hpp"
 #include "check/made_specimen.hpp"
 #include "check/postprocessor_run.hpp"
 
@@ -57,6 +58,7 @@ class PostprocessorCheck {
         guarded([&] { repeated(); });
         guarded([&] { order(); });
         guarded([&] { resumed(); });
+        guarded([&] { in_parts(); });
         if (disorder) edges(form);
       }
     if (!trials_.any())
@@ -233,6 +235,37 @@ class PostprocessorCheck {
       trials_.see("archive and resume", where_, off.empty(), off.empty() ? "the same bits from each state on" : off,
                   "`archive` misses a member that changes after `begin`");
     }
+  }
+
+  /// As two ranks of a job would measure it, each its half of the particles.
+  void in_parts() {
+    States states, of_half[2];
+    for (const MadeSimulation& s : along(gradient(1e-3), 5, true)) {
+      states.push_back(sorted(s));
+      const auto both = halves(states.back());
+      for (std::size_t h = 0; h < 2; ++h) of_half[h].push_back(both[h]);
+    }
+    const PostprocessorRun all = run(states);
+    if (!all.sees_parts()) return;
+    std::optional<PostprocessorRun> half[2];
+    TwoParts parts;
+    const Attempt end = attempt([&] {
+      parts.together([&](int number, OtherParts& others) {
+        States& mine = of_half[number];
+        for (MadeSimulation& s : mine) s.part->others = &others;
+        half[number].emplace(registry_, choice_, mine.front());
+        half[number]->whole(mine);
+      });
+    });
+    std::string off = end.text;
+    if (end) {
+      half[0]->fields = joined_fields(*half[0], of_half[0], *half[1], of_half[1]);
+      off = difference(all, *half[0]);
+    }
+    trials_.see(
+        "in two parts", where_, off.empty(), off.empty() ? "the same bits" : off,
+        "it says that it sees parts (`sees_parts`): loop over `own_particles`, `own_pairs` and `own_bonds`, and "
+        "put together by `view.sum`, `view.max` or `view.all`");
   }
 
   void edges(const MadeForm& form) {

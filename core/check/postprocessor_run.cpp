@@ -128,6 +128,30 @@ std::string fault_of_values(const PostprocessorRun& run, const States& states) {
   return {};
 }
 
+std::vector<std::vector<Field>> joined_fields(const PostprocessorRun& low, const States& of_low,
+                                              const PostprocessorRun& high, const States& of_high) {
+  std::vector<std::vector<Field>> all;
+  for (std::size_t row = 0; row < low.fields.size(); ++row) {
+    all.emplace_back();
+    for (std::size_t f = 0; f < low.fields[row].size(); ++f) {
+      Field joined = low.fields[row][f];
+      joined.values.clear();
+      for (const auto& [run, states] : {std::pair{&low, &of_low}, {&high, &of_high}}) {
+        if (f >= run->fields[row].size()) continue;  // one that is missing makes it too short
+        const Field& part = run->fields[row][f];
+        const PartOfSpecimen& own = *(*states)[row].part;
+        const OwnRows rows = part.on == Field::On::particles ? own.particles : own.bonds;
+        const auto n = std::size_t(std::max(1, part.components));
+        if (part.values.size() >= rows.behind() * n)
+          joined.values.insert(joined.values.end(), part.values.begin() + std::ptrdiff_t(rows.first() * n),
+                               part.values.begin() + std::ptrdiff_t(rows.behind() * n));
+      }
+      all.back().push_back(std::move(joined));
+    }
+  }
+  return all;
+}
+
 std::string difference(const PostprocessorRun& a, const PostprocessorRun& b, const std::vector<Index>* order) {
   const bool exact = !order;
   Scales scales;

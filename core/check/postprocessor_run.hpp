@@ -25,6 +25,7 @@ class PostprocessorRun {
   /// The first `count` states, or all; then the end.
   void whole(const States& states);
   bool archive(Archive& archive) { return plugin_->archive(archive); }
+  bool sees_parts() const { return plugin_->sees_parts(); }
 
   KeptCurves rows;  ///< those that the plugin asks for and does not add itself come last: see `own_columns`
   std::size_t own_columns = 0;
@@ -39,6 +40,10 @@ class PostprocessorRun {
 /// when all is in order.
 std::string fault_of_names(const PostprocessorRun& run);
 std::string fault_of_values(const PostprocessorRun& run, const States& states);
+
+/// Those of own rows of two halves, one behind the other.
+std::vector<std::vector<Field>> joined_fields(const PostprocessorRun& low, const States& of_low,
+                                              const PostprocessorRun& high, const States& of_high);
 
 /// Where two runs differ; empty when they do not. `order`: of particles in the second (`reordered`), compared to
 /// rounding; none: bit by bit.

@@ -108,10 +108,9 @@ void Interactions::prepare(const Assembly& assembly) {
   for (const NamedLaw& l : laws_) {
     std::vector<std::string> scattered;
     for (const ScatteredParameter& p : l.scatter) scattered.push_back(p.name);
-    std::vector<ContactLaw*> all = l.of_kind;
-    all.push_back(l.law);
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
+    std::vector<ContactLaw*> all{l.law};  // in the same order on all ranks: they may ask each other
+    for (ContactLaw* of_kind : l.of_kind)
+      if (std::find(all.begin(), all.end(), of_kind) == all.end()) all.push_back(of_kind);
     for (ContactLaw* law : all) {
       law->scatter(scattered);
       law->prepare(assembly);

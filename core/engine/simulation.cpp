@@ -9,6 +9,7 @@
 
 #include "engine/cell_motion.hpp"
 #include "engine/law_probe.hpp"
+#include "engine/meeting_parts.hpp"
 #include "engine/specimen.hpp"
 #include "engine/walls.hpp"
 
@@ -49,25 +50,15 @@ BondingResult Simulation::bond(const BondingRule& rule, const std::optional<Spec
   Assembly a;
   a.dimension = state_.dimension;
   a.thickness = state_.thickness;
-  // Laws may average over all there is: they see it whole.
-  const Particles& p = state_.particles;
-  const Bonds& b = state_.bonds;
-  std::vector<double> radius(p.radius().begin(), p.radius().end()), mass(p.mass().begin(), p.mass().end());
-  std::vector<Index> bond_i = b.i, bond_j = b.j;
-  if (parts_) {
-    radius = parts_->gathered_rows(radius, p, true);
-    mass = parts_->gathered_rows(mass, p, true);
-    const std::size_t first = first_counted(b.i, p);
-    bond_i = parts_->gathered(as_rows(b.i, first, p), true);
-    bond_j = parts_->gathered(as_rows(b.j, first, p), true);
-  }
-  a.radius = radius;
-  a.mass = mass;
-  a.bond_i = bond_i;
-  a.bond_j = bond_j;
+  MeetingParts others(link());
+  a.part = part_of_specimen(&others);
+  a.radius = state_.particles.radius();
+  a.mass = state_.particles.mass();
+  a.bond_i = state_.bonds.i;
+  a.bond_j = state_.bonds.j;
   a.porosity = told ? told->porosity : porosity();
   a.coordination_number = told ? told->coordination_number : result.coordination_number;
-  laws_.prepare(a);
+  others.together([&] { laws_.prepare(a); });
   return result;
 }
 

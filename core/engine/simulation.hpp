@@ -55,6 +55,13 @@ class Simulation final : public LoadControl {
   /// Valid until the next call that changes anything. Of a specimen in parts: on the first rank, or everywhere; the
   /// others then see no lists.
   SimulationView view(bool everywhere = false);
+  /// The same of what this rank has of a specimen in parts, without bringing them together; all ranks call it together.
+  /// `others`: through whom its plugins ask for sums, may be null where nobody does. Where there is one rank, all of
+  /// it.
+  SimulationView part(OtherParts* others);
+  /// Of such a part the whole, brought together on the first rank, or everywhere; all ranks call it together. The
+  /// others then see no lists.
+  SimulationView whole(const SimulationView& part, bool everywhere = false);
   /// Of a specimen in parts this rank's; on the first rank all of it from `view()` or `gather()` until the next call
   /// that changes anything; the others then see no lists.
   const State& state() const { return whole_ ? whole_->state : state_; }
@@ -63,6 +70,12 @@ class Simulation final : public LoadControl {
   void gather();
   std::size_t pairs() const { return pairs_; }  ///< of the whole specimen, when the list was made
   std::size_t all_particles() const { return parts_ ? parts_->rows() : state_.particles.size(); }
+  std::size_t all_bonds() const;  ///< ever made, of the whole specimen; all ranks ask together
+  /// Of all particles, on the first rank; the others get nothing, and call it together.
+  std::vector<Vec3> all_positions() const;
+  std::vector<Index> all_ids() const;
+  /// How often all was brought together on the first rank.
+  int gatherings() const { return gatherings_; }
   double seconds_gathering() const { return seconds_gathering_; }  ///< so far, for views and for protocols that look
   int changes_of_ranks() const { return parts_ ? parts_->changes() : 0; }  ///< of particles, as work shifted
   std::uint64_t rebuilds() const { return rebuilds_; }
@@ -118,6 +131,7 @@ class Simulation final : public LoadControl {
   static constexpr Index elsewhere = Parts::elsewhere;
   Index here(Index row) const;  ///< of a row of the whole; or `elsewhere`
   std::optional<Index> bond_here(Index row_i, Index row_j) const;
+  std::optional<PartOfSpecimen> part_of_specimen(OtherParts* others) const;
   void balance();
   void deal_again();
   void gather(bool for_archive, bool everywhere);
@@ -176,6 +190,7 @@ class Simulation final : public LoadControl {
   mutable std::optional<Particles> seen_;  ///< those of all ranks, for a protocol
   mutable bool seen_are_now_ = false;
   mutable double seconds_gathering_ = 0;
+  int gatherings_ = 0;
   std::size_t pairs_ = 0;
   std::vector<double*> columns_;
   std::vector<Dissipated> chunk_dissipated_;  ///< of each chunk, law by law, since the ledger was looked at
@@ -198,9 +213,14 @@ class Simulation final : public LoadControl {
   bool any_applied_ = false, loading_started_ = false, pair_forces_known_ = true, forces_known_ = false;
   std::uint64_t rebuilds_ = 0;
   std::size_t broken_ = 0;  ///< of the bonds
-  std::vector<WallView> wall_views_;
-  std::vector<Mat3> boundary_moment_;
-  std::vector<WallContact> wall_contacts_;
+  /// What views show that is not in the state as they show it.
+  struct Shown {
+    std::vector<WallView> walls;
+    std::vector<Mat3> boundary_moment;
+    std::vector<WallContact> wall_contacts;
+  };
+  static SimulationView show(const State& state, Shown& shown);
+  Shown shown_part_, shown_whole_;
 };
 
 }  // namespace breccia

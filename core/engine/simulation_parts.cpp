@@ -28,6 +28,7 @@ void Simulation::gather() {
 void Simulation::gather(bool for_archive, bool everywhere) {
   if (whole_ && (whole_->for_archive || !for_archive) && (whole_->everywhere || !everywhere)) return;
   const Stopwatch watch(seconds_gathering_);
+  gatherings_ += !everywhere;
   auto whole = std::make_unique<Whole>();
   whole->everywhere = everywhere;
   whole->for_archive = for_archive;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What plugins see of a simulation.
+#include <numeric>
+
 #include "engine/cell_motion.hpp"
 #include "engine/particle_pass.hpp"
 #include "engine/simulation.hpp"
@@ -44,14 +46,8 @@ ParticlesView Simulation::particles() const {
   return view_of(*seen_);
 }
 
-/// Of a specimen in parts the first rank has the lists, the others what is no list.
-SimulationView Simulation::view(bool everywhere) {
-  BRECCIA_ASSERT(pair_forces_known_);
-  const EnergyLedger energy = ledger();
-  if (link()) gather(false, everywhere);
-  const State& s = state();
+SimulationView Simulation::show(const State& s, Shown& shown) {
   SimulationView v;
-  v.energy = energy;
   static_cast<Space&>(v) = s;
   v.initial_cell = s.reference_cell;
   v.time = s.time;
@@ -59,27 +55,79 @@ SimulationView Simulation::view(bool everywhere) {
   v.step = s.step;
   const Particles& p = s.particles;
   v.particles = view_of(p);
-  v.particles.boundary_moment = boundary_moment_ = boundary_moments(p);
+  v.particles.boundary_moment = shown.boundary_moment = boundary_moments(p);
   v.pairs = {s.pairs.i, s.pairs.j, s.pairs.rest_length, s.pairs.state, s.pairs.bond, s.pairs.force, s.pairs.moment, {}};
   for (const auto& c : s.pairs.columns) v.pairs.columns.emplace_back(c);
   const Bonds& b = s.bonds;
   v.bonds = {b.i, b.j, b.initial_distance, b.state, b.pair, b.crack_of, b.cracks};
-  wall_views_.clear();
+  shown.walls.clear();
   for (const Wall& w : s.walls)
-    wall_views_.push_back(
+    shown.walls.push_back(
         {w.name, w.point, w.normal, w.velocity, w.displacement, w.force, w.normal_force, w.cylinder_radius, 0});
-  wall_contacts_.clear();
+  shown.wall_contacts.clear();
   for (const WallTouch& t : s.wall_touches) {
     if (t.overlap <= 0) continue;
     const Vec3 arm = -(p.radius()[t.particle] - t.overlap) * facing(s.walls[t.wall], p.position()[t.particle]).normal;
-    wall_contacts_.push_back({t.particle, t.wall, p.position()[t.particle] + arm, t.force});
-    ++wall_views_[t.wall].contacts;
+    shown.wall_contacts.push_back({t.particle, t.wall, p.position()[t.particle] + arm, t.force});
+    ++shown.walls[t.wall].contacts;
   }
   v.materials = s.materials;
-  v.walls = wall_views_;
-  v.wall_contacts = wall_contacts_;
+  v.walls = shown.walls;
+  v.wall_contacts = shown.wall_contacts;
   v.specimen = s.specimen;
   return v;
+}
+
+std::optional<PartOfSpecimen> Simulation::part_of_specimen(OtherParts* others) const {
+  if (!link()) return {};
+  const Particles& p = state_.particles;
+  return PartOfSpecimen{others,
+                        {p.first_own(), p.end_own()},
+                        {first_counted(state_.pairs.i, p), state_.pairs.size()},
+                        {first_counted(state_.bonds.i, p), state_.bonds.size()},
+                        link()->rank(),
+                        link()->ranks()};
+}
+
+SimulationView Simulation::part(OtherParts* others) {
+  BRECCIA_ASSERT(pair_forces_known_);
+  const EnergyLedger energy = ledger();
+  SimulationView v = show(state_, shown_part_);
+  v.energy = energy;
+  if (!link()) return v;
+  v.part = part_of_specimen(others);
+  if (shown_part_.walls.empty()) return v;
+  std::vector<std::int64_t> contacts;
+  for (const WallView& w : shown_part_.walls) contacts.push_back(std::int64_t(w.contacts));
+  link()->add(contacts);
+  for (std::size_t w = 0; w < contacts.size(); ++w) shown_part_.walls[w].contacts = std::size_t(contacts[w]);
+  return v;
+}
+
+SimulationView Simulation::whole(const SimulationView& part, bool everywhere) {
+  if (!link()) return part;
+  gather(false, everywhere);
+  SimulationView v = show(state(), shown_whole_);
+  v.energy = part.energy;
+  return v;
+}
+
+SimulationView Simulation::view(bool everywhere) { return whole(part(nullptr), everywhere); }
+
+std::vector<Vec3> Simulation::all_positions() const {
+  const auto position = state_.particles.position();
+  const std::vector<Vec3> here(position.begin(), position.end());
+  return link() ? parts_->gathered_rows(here, state_.particles, false) : here;
+}
+
+std::vector<Index> Simulation::all_ids() const {
+  return link() ? parts_->gathered_rows(state_.particles.id, state_.particles, false) : state_.particles.id;
+}
+
+std::size_t Simulation::all_bonds() const {
+  if (!link()) return state_.bonds.size();
+  const auto of_rank = link()->numbers_of_all(state_.bonds.size() - first_counted(state_.bonds.i, state_.particles));
+  return std::accumulate(of_rank.begin(), of_rank.end(), std::size_t(0));
 }
 
 }  // namespace breccia

@@ -30,7 +30,7 @@ class CurveTable final : public Recorder, public Curves {
 
   /// Writes the file of the units, and starts that of the curves; no column can be added afterwards.
   void open(const std::filesystem::path& path);
-  /// Ends the current row and writes it; columns that nobody set are NaN (empty in the file).
+  /// Ends the current row and writes it, where there is a file; columns that nobody set are NaN (empty in the file).
   void end_row();
   void close();                    ///< the file takes its final name
   void archive(Archive& archive);  ///< the rows; read after `open`, they are written to the file anew

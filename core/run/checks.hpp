@@ -31,15 +31,16 @@ class LoadingChecks {
  public:
   explicit LoadingChecks(const ChecksConfig& limits) : limits_(limits) {}
 
-  /// After the forces of a step that may be viewed. `load`: the protocol's.
-  void sample(Simulation& simulation, double load, Host& host);
-  /// `peak`: the largest load of all steps.
+  /// After the forces of a step that may be viewed, of which `part` shows what this rank has; all ranks call it
+  /// together. `load`: the protocol's.
+  void sample(Simulation& simulation, const SimulationView& part, double load, Host& host);
+  /// `peak`: the largest load of all steps. All ranks call it together.
   void finish(const Simulation& simulation, double peak, Host& host) const;
   void archive(Archive& archive);
 
  private:
   void look_for_speed(Simulation& simulation, Host& host);
-  void look_for_overlaps(const State& state);
+  void look_for_overlaps(const SimulationView& part);
 
   ChecksConfig limits_;
   std::vector<LoadedRow> rows_;

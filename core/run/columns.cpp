@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/columns.hpp"
 
+#include <algorithm>
+
 #include "config/places.hpp"
 #include "engine/simulation.hpp"
 #include "plugin/guarded.hpp"
@@ -9,7 +11,9 @@
 namespace breccia {
 namespace {
 
+/// Where all add their curves: on the first of several ranks, or on all.
 void check_needed(std::vector<Listed<Postprocessor>>& postprocessors, const CurveTable& curves) {
+  if (!std::all_of(postprocessors.begin(), postprocessors.end(), [](const auto& p) { return p.works(); })) return;
   for (std::size_t k = 0; k < postprocessors.size(); ++k) {
     auto& p = postprocessors[k];
     for (const std::string& name :
@@ -29,6 +33,7 @@ std::size_t set_up(const SimulationView& view, LoadControl& control, Protocol& p
     calling(protocol_id, "setting up the test", [&] { protocol.setup(view, control, curves, host); });
   } catch (const PluginFault& e) { throw AtPath("protocol", e.what()); }
   for (auto& p : postprocessors) {
+    if (!p.works()) continue;
     NamedRecorder recorder(curves, p.prefix());
     try {
       p.call("adding its curves", [&](Postprocessor& q) { q.begin(view, recorder, host); });

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "breccia/atomic_file.hpp"
+#include "run/frame_fields.hpp"
 
 namespace breccia {
 
@@ -22,6 +23,7 @@ Frames::Frames(std::vector<Listed<Output>> outputs, std::vector<Listed<Postproce
 
 void Frames::begin(const std::filesystem::path& folder, Host& host) {
   for (Scheduled& s : outputs_) {
+    if (!s.output.works()) continue;
     std::filesystem::path own = folder;
     if (s.output.is_named()) {
       own /= s.output.label();
@@ -33,34 +35,34 @@ void Frames::begin(const std::filesystem::path& folder, Host& host) {
   }
 }
 
-void Frames::at(const SimulationView& view, bool forced) {
-  std::vector<Field> fields;
-  bool have_fields = false;
-  for (Scheduled& s : outputs_) {
-    if (s.output.has_failed() || s.last == view.time || (!forced && view.time < s.next)) continue;
-    if (!have_fields) add_fields(view, fields);
-    have_fields = true;
-    s.output.call("writing a frame", [&](Output& o) {
-      o.frame(view, fields);
+void Frames::at(StepViews& views, bool forced) {
+  const double now = views.part().time;
+  std::vector<double> due;
+  for (const Scheduled& s : outputs_)
+    due.push_back(s.output.has_failed() || s.last == now || (!forced && now < s.next) ? 0 : 1);
+  // Who writes on this rank knows its time; the others learn it from the first.
+  if (RankLink* const link = views.others().link(); link && !due.empty()) {
+    if (!link->first()) due.assign(due.size(), 0);
+    link->largest(due);
+  }
+  FrameFields fields(views, postprocessors_);
+  for (std::size_t k = 0; k < outputs_.size(); ++k) {
+    if (due[k] == 0) continue;
+    Scheduled& s = outputs_[k];
+    const std::vector<Field>& given = s.output.sees_parts() ? fields.of_part() : fields.of_whole();
+    s.output.show(views, "writing a frame", [&](Output& o, const SimulationView& view) {
+      o.frame(view, given);
       s.interval = o.interval();
     });
-    s.last = view.time;
-    s.next = next_due(view.time, s.interval);
-  }
-}
-
-void Frames::add_fields(const SimulationView& view, std::vector<Field>& fields) {
-  for (auto& p : postprocessors_) {
-    if (p.has_failed()) continue;
-    const std::size_t first = fields.size();
-    p.call("giving fields", [&](Postprocessor& q) { q.fields(view, fields); });
-    for (std::size_t k = first; k < fields.size(); ++k) fields[k].name = p.prefix() + fields[k].name;
+    s.last = now;
+    s.next = next_due(now, s.interval);
   }
 }
 
 void Frames::archive(Archive& archive, std::vector<std::string>& unknown) {
   const Archive::Group outputs(archive, "outputs");
   for (Scheduled& s : outputs_) {
+    if (!s.output.works()) continue;
     const Archive::Group group(archive, s.output.label());
     archive("interval", s.interval);
     archive("next", s.next);
@@ -69,9 +71,11 @@ void Frames::archive(Archive& archive, std::vector<std::string>& unknown) {
   }
 }
 
-void Frames::finish() {
+void Frames::finish(MeetingParts& others) {
   for (Scheduled& s : outputs_)
-    if (!s.output.has_failed()) s.output.call("ending its files", [](Output& o) { o.finish(); });
+    others.together([&] {
+      if (s.output.works() && !s.output.has_failed()) s.output.call("ending its files", [](Output& o) { o.finish(); });
+    });
 }
 
 }  // namespace breccia

@@ -19,14 +19,14 @@ class Frames {
   Frames(std::vector<Listed<Output>> outputs, std::vector<Listed<Postprocessor>>& postprocessors);
   /// Each writes into the folder, a named one into a folder of its own within.
   void begin(const std::filesystem::path& folder, Host& host);
-  /// Writes the outputs whose time has come; all of them when `forced` (first and last state).
-  void at(const SimulationView& view, bool forced);
-  void finish();  ///< of all but those that have failed
+  /// Writes the outputs whose time has come; all of them when `forced` (first and last state). All ranks call it
+  /// together; the clock is the first one's.
+  void at(StepViews& views, bool forced);
+  void finish(MeetingParts& others);  ///< of all but those that have failed
   /// After `begin`. Adds to `unknown` who does not say what changes in it while it runs.
   void archive(Archive& archive, std::vector<std::string>& unknown);
 
  private:
-  void add_fields(const SimulationView& view, std::vector<Field>& fields);
   struct Scheduled {
     Listed<Output> output;
     double interval = 0;  ///< [s]

@@ -7,19 +7,22 @@
 #include "plugin/guarded.hpp"
 #include "plugin/registry.hpp"
 #include "results/summary_table.hpp"
+#include "run/step_views.hpp"
 #include "workflow/plugin_label.hpp"
 
 namespace breccia {
 
-/// One plugin of a list.
+/// One plugin of a list. On ranks behind the first stand all of them, too, but only those work that see parts.
 template <class P>
 class Listed {
  public:
-  Listed(const PluginChoice& choice, const Registry& registry)
+  Listed(const PluginChoice& choice, const Registry& registry, bool first_rank = true)
       : type_(choice.type),
         name_(given_name(choice)),
         label_(result_label(choice)),
-        plugin_(registry.create<P>(choice)) {}
+        plugin_(registry.create<P>(choice)),
+        sees_parts_(says_so(*plugin_)),
+        works_(first_rank || sees_parts_) {}
 
   /// `f` of the plugin; what it throws names the plugin.
   template <class F>
@@ -31,9 +34,19 @@ class Listed {
       throw;
     }
   }
+  /// `f` of the plugin and what it is to see of the step; all ranks call it together.
+  template <class F>
+  void show(StepViews& views, std::string_view doing, F&& f) {
+    try {
+      views.show(sees_parts_, [&](const SimulationView& view) { call(doing, [&](P& plugin) { f(plugin, view); }); });
+    } catch (...) {
+      failed_ = true;
+      throw;
+    }
+  }
   /// What changes in it while it runs; adds it to `unknown` when it does not say.
   void archive(Archive& archive, std::vector<std::string>& unknown) {
-    if (failed_) return;
+    if (failed_ || !works_) return;
     call(archive.reading() ? "reading a checkpoint" : "writing a checkpoint", [&](P& plugin) {
       if (!plugin.archive(archive)) unknown.push_back(std::string(P::kind) + " `" + label_ + "`");
     });
@@ -41,12 +54,19 @@ class Listed {
   const std::string& label() const { return label_; }
   std::string prefix() const { return name_.empty() ? "" : name_ + "_"; }
   bool is_named() const { return !name_.empty(); }
-  bool has_failed() const { return failed_; }
+  bool has_failed() const { return failed_; }  ///< on any rank
+  bool sees_parts() const { return sees_parts_; }
+  bool works() const { return works_; }  ///< on this rank
 
  private:
+  static bool says_so(const P& plugin) {
+    if constexpr (requires { plugin.sees_parts(); }) return plugin.sees_parts();
+    else return false;  // renderers see files
+  }
+
   std::string type_, name_, label_;
   std::unique_ptr<P> plugin_;
-  bool failed_ = false;
+  bool sees_parts_, works_, failed_ = false;
 };
 
 /// Columns `upper_...` for the plugin named `upper`.

@@ -10,14 +10,14 @@ namespace breccia {
 namespace {
 
 /// Those that have left are no part of what is measured, and yet in all sums.
-void look_for_flown_off(const State& s, double limit, Host& host) {
-  const std::size_t n = s.particles.size();
-  if (s.cell.repeats() || n < 8) return;
+void look_for_flown_off(const std::vector<Vec3>& position, const std::vector<Index>& id, double limit, Host& host) {
+  const std::size_t n = position.size();
+  if (n < 8) return;
   Vec3 middle;
   double length = 0;
   std::vector<double> x(n);
   for (int k = 0; k < 3; ++k) {
-    for (std::size_t a = 0; a < n; ++a) x[a] = s.particles.position()[a][k];
+    for (std::size_t a = 0; a < n; ++a) x[a] = position[a][k];
     const auto at = [&](std::size_t rank) {
       std::nth_element(x.begin(), x.begin() + std::ptrdiff_t(rank), x.end());
       return x[rank];
@@ -29,7 +29,7 @@ void look_for_flown_off(const State& s, double limit, Host& host) {
   std::size_t flown = 0, farthest = 0;
   double most = 0;
   for (std::size_t a = 0; a < n; ++a) {
-    const double off = (s.particles.position()[a] - middle).cwiseAbs().maxCoeff();
+    const double off = (position[a] - middle).cwiseAbs().maxCoeff();
     flown += off > (0.5 + limit) * length;
     if (off > most) {
       most = off;
@@ -41,7 +41,7 @@ void look_for_flown_off(const State& s, double limit, Host& host) {
         "{} of {} particles have flown off: particle {} of the packing, the farthest, is {:.3g} m from the middle of "
         "the "
         "specimen, which is {:.3g} m long. Kinetic energy, volumes and strains of the whole are measured with them",
-        flown, n, s.particles.id[farthest], most, length));
+        flown, n, id[farthest], most, length));
 }
 
 }  // namespace
@@ -72,9 +72,9 @@ double unbalanced_on_the_rise(const std::vector<LoadedRow>& rows, double peak) {
   return most;
 }
 
-void LoadingChecks::sample(Simulation& simulation, double load, Host& host) {
+void LoadingChecks::sample(Simulation& simulation, const SimulationView& part, double load, Host& host) {
   look_for_speed(simulation, host);
-  look_for_overlaps(simulation.state());
+  look_for_overlaps(part);
   if (simulation.loading_started()) rows_.push_back({load, simulation.unbalanced_force_ratio()});
 }
 
@@ -92,26 +92,35 @@ void LoadingChecks::look_for_speed(Simulation& simulation, Host& host) {
                   speed, 100 * speed / wave_speed_, wave_speed_));
 }
 
-void LoadingChecks::look_for_overlaps(const State& s) {
-  wall_overlap_.resize(s.walls.size(), 0);
-  for (const WallTouch& t : s.wall_touches)
-    wall_overlap_[t.wall] = std::max(wall_overlap_[t.wall], t.overlap / s.particles.radius()[t.particle]);
-  double sum = 0, deepest = 0;
-  std::size_t pressed = 0;
-  for (std::size_t k = 0; k < s.pairs.size(); ++k) {
-    if (s.pairs.state[k] == BondState::intact) continue;
-    const Index i = s.pairs.i[k], j = s.pairs.j[k];
+void LoadingChecks::look_for_overlaps(const SimulationView& part) {
+  const ParticlesView& p = part.particles;
+  wall_overlap_.resize(part.walls.size(), 0);
+  for (const WallContact& c : part.wall_contacts)
+    wall_overlap_[c.wall] =
+        std::max(wall_overlap_[c.wall], 1 - (c.point - p.position[c.particle]).norm() / p.radius[c.particle]);
+  ExactSumOf<double> sum;
+  ExactSumOf<std::size_t> pressed;
+  double deepest = 0;
+  for (const std::size_t k : part.own_pairs()) {
+    if (part.pairs.state[k] == BondState::intact) continue;
+    const Index i = part.pairs.i[k], j = part.pairs.j[k];
     const double overlap =
-        (s.pairs.rest_length[k] - s.branch(s.particles.position()[i], s.particles.position()[j]).norm()) /
-        (s.particles.radius()[i] + s.particles.radius()[j]);
+        (part.pairs.rest_length[k] - part.branch(p.position[i], p.position[j]).norm()) / (p.radius[i] + p.radius[j]);
     if (overlap <= 0) continue;
-    sum += overlap;
+    sum.add(overlap);
+    pressed.add(1);
     deepest = std::max(deepest, overlap);
-    ++pressed;
   }
+  std::vector<double> most = wall_overlap_;
+  most.push_back(deepest);
+  part.max(most);
+  deepest = most.back();
+  most.pop_back();
+  wall_overlap_.swap(most);
   if (deepest <= pair_overlap_) return;
   pair_overlap_ = deepest;
-  pair_mean_ = sum / double(pressed);
+  const auto [all, count] = part.sum(sum, pressed);
+  pair_mean_ = all / double(count);
 }
 
 void LoadingChecks::finish(const Simulation& simulation, double peak, Host& host) const {
@@ -135,7 +144,9 @@ void LoadingChecks::finish(const Simulation& simulation, double peak, Host& host
                     "{:.3g} (the limit is {:.3g}): strength and moduli contain inertia; lower the velocity of the "
                     "platens, or raise the damping",
                     most, limits_.unbalanced_force));
-  look_for_flown_off(simulation.state(), limits_.flown_off, host);
+  if (simulation.state().cell.repeats()) return;
+  const std::vector<Vec3> position = simulation.all_positions();
+  look_for_flown_off(position, simulation.all_ids(), limits_.flown_off, host);
 }
 
 void LoadingChecks::archive(Archive& archive) {

@@ -3,6 +3,7 @@
 
 #include "run/load_workflow.hpp"
 #include "run/packing_cache.hpp"
+#include "run/run_ranks.hpp"
 #include "run/run_to_results.hpp"
 
 namespace breccia {
@@ -25,17 +26,10 @@ class SilentRank final : public RunMonitor {
   const Terminal& asked_;
 };
 
-/// The first rank's text, on all of them.
-std::string told(RankLink& link, const std::string& text) {
-  const std::vector<std::size_t> sizes = link.numbers_of_all(link.first() ? text.size() : 0);
-  std::string all(sizes.front(), ' ');
-  if (!all.empty()) link.gather(text.data(), sizes, 1, all.data(), true);
-  return all;
-}
-
 ResumePoint told_resume_point(RankLink& link) {
-  ResumePoint point{told(link, {}), nullptr, {}};
-  point.checkpoint = read_checkpoint(told(link, {}));
+  const RunRanks ranks(&link);
+  ResumePoint point{ranks.told(std::string()), nullptr, {}};
+  point.checkpoint = read_checkpoint(ranks.told(std::string()));
   (*point.checkpoint)("about", point.about);
   link.as_first_says(true);
   return point;
@@ -44,8 +38,9 @@ ResumePoint told_resume_point(RankLink& link) {
 }  // namespace
 
 void tell_of_resume(RankLink& link, const ResumePoint& from) {
-  told(link, from.resolved.string());
-  told(link, from.checkpoint->file().string());
+  const RunRanks ranks(&link);
+  ranks.told(from.resolved.string());
+  ranks.told(from.checkpoint->file().string());
   link.as_first_says(true);
 }
 

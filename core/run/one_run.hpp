@@ -23,6 +23,7 @@
 #include "run/run_ranks.hpp"
 #include "run/runner.hpp"
 #include "run/scatter_summary.hpp"
+#include "run/step_views.hpp"
 #include "run/warning_log.hpp"
 #include "workflow/contact_laws.hpp"
 
@@ -42,6 +43,7 @@ class OneRun {
         registry_(registry),
         options_(options),
         ranks_(options.link),
+        others_(options.link),
         monitor_(monitor) {}
 
   RunOutcome operator()();
@@ -64,14 +66,15 @@ class OneRun {
   EnergyLimits energy_limits();
   RunProgress progress() const { return {simulation_->time(), simulation_->state().step}; }
   RunParts parts() {
-    return {about_, monitor_, *simulation_, *loading_,     *protocol_,      protocol_id(),
-            posts_, *frames_, curves_,      energy_check_, *loading_checks_};
+    return {about_, monitor_, *simulation_, *loading_,     *protocol_,       protocol_id(),
+            posts_, *frames_, curves_,      energy_check_, *loading_checks_, ranks_.first()};
   }
 
   // run_end.cpp
   void finish();
   void tell_of_ranks();
-  void finish_plugins(const SimulationView& view);
+  const Curves& curves_of_all(CurveTable& told);
+  void finish_plugins(StepViews& views);
   void write_summary(double wall_seconds);
   void add_to_summary(double wall_seconds);
   void draw(const std::filesystem::path& results);
@@ -96,6 +99,7 @@ class OneRun {
   const Registry& registry_;
   const RunOptions& options_;
   const RunRanks ranks_;
+  MeetingParts others_;    ///< of plugins that see parts
   bool measured_ = false;  ///< there are rows
   RunLog monitor_;
   std::optional<ContactLaws> laws_;

@@ -20,10 +20,12 @@ void archive_measured(Archive& archive, const RunParts& run, std::vector<std::st
   {
     const Archive::Group posts(archive, "postprocessors");
     for (auto& p : run.posts) {
+      if (!p.works()) continue;
       const Archive::Group group(archive, p.label());
       p.archive(archive, unknown);
     }
   }
+  if (!run.first) return;
   archive("curves", run.curves);
   archive("energy_check", run.energy_check);
 }

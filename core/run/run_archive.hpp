@@ -37,6 +37,7 @@ struct RunParts {
   CurveTable& curves;
   std::optional<EnergyCheck>& energy_check;
   LoadingChecks& loading_checks;
+  bool first;  ///< of several ranks: who has curves and files
 };
 
 /// All that the steps to come depend on, both ways. Returns who does not say what belongs there.

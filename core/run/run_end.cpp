@@ -19,13 +19,12 @@ void OneRun::fail(const UserError& e) {
 }
 
 void OneRun::finish() {
-  simulation_->gather();
   sum_up_engine(summary_, w_, *simulation_, bonding_, packing_porosity(),
                 {interrupted_, monitor_.threads(), first_step_, loop_seconds_});
   if (ranks_.first()) attempt([&] { sum_up_laws(summary_, *laws_, drawn_, simulation_->state()); });
   if (viewable_) {
-    const SimulationView view = simulation_->view();
-    if (ranks_.first()) finish_plugins(view);
+    StepViews views(*simulation_, others_);
+    finish_plugins(views);
   }
   if (!ranks_.first()) return;
   tell_of_ranks();
@@ -39,6 +38,9 @@ void OneRun::tell_of_ranks() {
   if (const int changes = simulation_->changes_of_ranks(); changes > 0)
     monitor_.info(fmt::format("particles changed ranks {} time{}, as work shifted", changes, changes == 1 ? "" : "s"));
   const double seconds = simulation_->seconds_gathering();
+  if (ranks_.several())
+    monitor_.info(fmt::format("the parts of the specimen were brought together {} time{} for plugins and checkpoints",
+                              simulation_->gatherings(), simulation_->gatherings() == 1 ? "" : "s"));
   if (ranks_.several() && seconds > 0.05 * loop_seconds_)
     monitor_.info(
         fmt::format("bringing the specimen together for measurements, files and checkpoints took {:.1f} s, "
@@ -46,16 +48,46 @@ void OneRun::tell_of_ranks() {
                     seconds, 100 * seconds / loop_seconds_));
 }
 
+/// The first rank's curves, for all that sum up; `told`: where they stand on several ranks.
+const Curves& OneRun::curves_of_all(CurveTable& told) {
+  if (!ranks_.several()) return curves_;
+  Json columns = Json::array();
+  std::vector<double> values;
+  for (const Column& c : curves_.columns()) {
+    columns.push_back({c.name, c.unit, c.doc, c.role});
+    const auto of = curves_.column(c.name);
+    values.insert(values.end(), of.begin(), of.end());
+  }
+  columns = Json::parse(ranks_.told(columns.dump()));
+  values = ranks_.told(values);
+  for (const Json& c : columns) told.add({c[0], c[1], c[2], c[3]});
+  const std::size_t rows = columns.empty() ? 0 : values.size() / columns.size();
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t c = 0; c < columns.size(); ++c) told.set(c, values[c * rows + row]);
+    told.end_row();
+  }
+  return told;
+}
+
 /// Those that have failed have nothing to say.
-void OneRun::finish_plugins(const SimulationView& view) {
-  if (energy_check_) energy_check_->finish(view.energy, view.step, monitor_);
+void OneRun::finish_plugins(StepViews& views) {
+  if (energy_check_) energy_check_->finish(views.part().energy, views.part().step, monitor_);
+  CurveTable told;
+  const Curves& all = curves_of_all(told);
   SummaryTable::Section protocol(summary_, w_.protocol.type);
-  attempt([&] { calling(protocol_id(), "summing up", [&] { protocol_->finish(view, curves_, protocol); }); });
+  attempt([&] {
+    views.show(protocol_->sees_parts(), [&](const SimulationView& view) {
+      calling(protocol_id(), "summing up", [&] { protocol_->finish(view, all, protocol); });
+    });
+  });
   for (auto& p : posts_) {
     if (p.has_failed()) continue;
     NamedSummary section(summary_, p);
-    const NamedCurves curves(curves_, p.prefix());
-    attempt([&] { p.call("summing up", [&](Postprocessor& q) { q.finish(view, curves, section); }); });
+    const NamedCurves curves(all, p.prefix());
+    attempt([&] {
+      p.show(views, "summing up",
+             [&](Postprocessor& q, const SimulationView& view) { q.finish(view, curves, section); });
+    });
   }
 }
 

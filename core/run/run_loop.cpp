@@ -57,8 +57,12 @@ void OneRun::loop() {
   }
   refuse_if_gone();
   viewable_ = intact_ && complete_step();
-  if (viewable_) attempt([&] { frames_->at(sim.view(), true); });
-  attempt([&] { frames_->finish(); });
+  if (viewable_)
+    attempt([&] {
+      StepViews views(sim, others_);
+      frames_->at(views, true);
+    });
+  attempt([&] { frames_->finish(others_); });
   if (!ranks_.first()) return;
   curves_.close();
   if (w_.curves.hdf5) attempt([&] { write_curves_hdf5(options_.folder / "curves.h5", curves_); });
@@ -81,15 +85,14 @@ void OneRun::enter_branch() {
   if (branch_->goes_on()) monitor_.info(branch_->text());
   for (const std::string& d : branch_->differences()) monitor_.info("  " + d);
   if (!branch_->goes_on()) return;
-  read_branch(branch_->archive(), parts(), ranks_.first() && branch_->measured());
+  read_branch(branch_->archive(), parts(), branch_->measured());
   if (!branch_->needs_adapting()) return;
   laws_->within([&] { simulation_->adapt(); });
   monitor_.info(step_text(*simulation_, w_.engine.time_step, monitor_.threads()));
 }
 
 void OneRun::go_on() {
-  if (ranks_.first()) read_run(*options_.resume->checkpoint, parts());
-  else read_branch(*options_.resume->checkpoint, parts(), false);
+  read_run(*options_.resume->checkpoint, parts());
   measured_ = ranks_.first() ? curves_.rows() > 0 : simulation_->loading_started();
   monitor_.info(fmt::format("goes on from {}: step {}, {:.4g} s, {} rows of curves",
                             options_.resume->checkpoint->file().string(), simulation_->state().step,
@@ -113,25 +116,34 @@ bool OneRun::complete_step() {
 
 void OneRun::sample(bool begins) {
   Simulation& sim = *simulation_;
-  SimulationView view;
-  laws_->within([&] { view = sim.view(); });  // a row without the law's energy would be wrong
-  loading_checks_->sample(sim, calling(protocol_id(), "telling its load", [&] { return protocol_->load(); }), monitor_);
+  std::optional<StepViews> views;
+  laws_->within([&] { views.emplace(sim, others_); });  // a row without the law's energy would be wrong
+  const SimulationView& part = views->part();
+  loading_checks_->sample(sim, part, calling(protocol_id(), "telling its load", [&] { return protocol_->load(); }),
+                          monitor_);
   if (sim.loading_started()) {
     if (ranks_.as_first_says(!energy_check_)) begin_energy_check();
     measured_ = true;
     curves_.set(time_column_, sim.time());
-    if (ranks_.first()) calling(protocol_id(), "measuring", [&] { protocol_->sample(view, curves_); });
+    views->show(protocol_->sees_parts(), [&](const SimulationView& view) {
+      calling(protocol_id(), "measuring", [&] { protocol_->sample(view, curves_); });
+    });
     if (begins)
-      for (auto& p : posts_) p.call("beginning to measure", [&](Postprocessor& q) { q.start_of_loading(view); });
+      for (auto& p : posts_)
+        p.show(*views, "beginning to measure",
+               [&](Postprocessor& q, const SimulationView& view) { q.start_of_loading(view); });
     try {
-      if (ranks_.first()) energy_check_->sample(view.energy, view.step, monitor_);
+      if (ranks_.first()) energy_check_->sample(part.energy, part.step, monitor_);
     } catch (const UserError& e) { fail(e); }
-    for (auto& p : posts_) p.call("measuring", [&](Postprocessor& q) { q.sample(view, curves_); });
-    if (ranks_.first()) curves_.end_row();
-    frames_->at(view, begins);
+    for (auto& p : posts_)
+      p.show(*views, "measuring", [&](Postprocessor& q, const SimulationView& view) { q.sample(view, curves_); });
+    others_.together([&] {
+      if (ranks_.first()) curves_.end_row();
+    });
+    frames_->at(*views, begins);
   }
   calling(protocol_id(), "telling how far it is", [&] {
-    monitor_.status({protocol_->share_done(), view.step, view.time, sim.broken_bonds(), protocol_->status()});
+    monitor_.status({protocol_->share_done(), part.step, part.time, sim.broken_bonds(), protocol_->status()});
   });
 }
 

@@ -4,6 +4,7 @@
 
 #include <exception>
 #include <string>
+#include <vector>
 
 #include "breccia/error.hpp"
 #include "engine/rank_link.hpp"
@@ -17,6 +18,9 @@ class RunRanks {
   bool several() const { return link_ != nullptr; }
   bool first() const { return !link_ || link_->first(); }  ///< who has files and something to say
   bool as_first_says(bool here) const { return any_rank(link_, first() && here); }
+  /// The first rank's text, or numbers, on all of them.
+  std::string told(const std::string& text) const { return told_to_all(text); }
+  std::vector<double> told(const std::vector<double>& numbers) const { return told_to_all(numbers); }
   /// Of each number the largest of all ranks.
   void largest(std::span<double> numbers) const {
     if (link_) link_->largest(numbers);
@@ -40,6 +44,16 @@ class RunRanks {
   }
 
  private:
+  template <class List>
+  List told_to_all(const List& mine) const {
+    if (!link_) return mine;
+    const std::vector<std::size_t> sizes = link_->numbers_of_all(first() ? mine.size() : 0);
+    List all;
+    all.resize(sizes.front());
+    if (!all.empty()) link_->gather(mine.data(), sizes, sizeof(mine[0]), all.data(), true);
+    return all;
+  }
+
   RankLink* link_;
 };
 

@@ -9,7 +9,7 @@ void sum_up_engine(SummaryTable& summary, const Workflow& w, const Simulation& s
                    double porosity, const ProcessOfRun& run) {
   const State& state = sim.state();
   const std::uint64_t steps = state.step - run.first_step;
-  const std::size_t n = state.particles.size(), bonds = state.bonds.size();
+  const std::size_t n = sim.all_particles(), bonds = sim.all_bonds();
   summary.set("workflow", w.name);
   summary.set("interrupted", run.interrupted);
   summary.set("seed", w.seed);

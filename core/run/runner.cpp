@@ -45,10 +45,8 @@ void OneRun::create_plugins() {
   laws_.emplace(registry_, w_.contact_law, w_.material_list(), std::uint64_t(w_.seed));
   protocol_ = registry_.create<Protocol>(w_.protocol);
   std::vector<Listed<Output>> outputs;
-  if (ranks_.first()) {  // who measures and writes sees the specimen brought together, where it is brought to
-    for (const PluginChoice& c : w_.postprocessors) posts_.emplace_back(c, registry_);
-    for (const PluginChoice& c : w_.outputs) outputs.emplace_back(c, registry_);
-  }
+  for (const PluginChoice& c : w_.postprocessors) posts_.emplace_back(c, registry_, ranks_.first());
+  for (const PluginChoice& c : w_.outputs) outputs.emplace_back(c, registry_, ranks_.first());
   frames_ = std::make_unique<Frames>(std::move(outputs), posts_);
 }
 
@@ -89,7 +87,7 @@ void OneRun::build() {
     time_column_ =
         add_columns(simulation_->view(true), *simulation_, *protocol_, protocol_id(), posts_, curves_, monitor_);
   });
-  frames_->begin(options_.folder, monitor_);
+  frames_->begin(ranks_.told(options_.folder.string()), monitor_);
   laws_->within([&] {
     simulation_->prepare();
     check_time_step(*simulation_, w_.checks, monitor_);

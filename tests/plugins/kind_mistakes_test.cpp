@@ -108,7 +108,8 @@ TEST(KindMistakes, OfPostprocessors) {
                           {"unset", "FAILED  finite numbers"},
                           {"field", "FAILED  finite numbers"},
                           {"hidden", "FAILED  the same twice"},
-                          {"exception", "FAILED  measures"}});
+                          {"exception", "FAILED  measures"},
+                          {"parts", "FAILED  in two parts"}});
 }
 
 TEST(KindMistakes, OfOutputsAndRenderers) {

@@ -95,13 +95,16 @@ struct PerBond {
   bool inverse = false;   ///< to one over it
 };
 
-/// What a law may know of the whole specimen when it derives its constants.
-struct Assembly {
+/// What a law may know of the whole specimen when it derives its constants. Of one that several ranks share the lists
+/// are those of a part: what is averaged over them is asked of all parts, as of a `SimulationView`.
+struct Assembly : SeenInPart {
   int dimension = 3;
-  double thickness = 1;                // [m]
-  Strided<const double> radius, mass;  // [m], [kg]
-  std::span<const Index> bond_i, bond_j;
+  double thickness = 1;                   // [m]
+  Strided<const double> radius, mass;     // [m], [kg]
+  std::span<const Index> bond_i, bond_j;  ///< rows of these
   double porosity = 0, coordination_number = 0;
+  OwnRows own_particles() const { return part ? part->particles : OwnRows(0, radius.size()); }
+  OwnRows own_bonds() const { return part ? part->bonds : OwnRows(0, bond_i.size()); }
 };
 
 }  // namespace breccia

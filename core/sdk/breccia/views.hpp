@@ -5,10 +5,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include "breccia/exact_sum.hpp"
 #include "breccia/space.hpp"
 #include "breccia/strided.hpp"
 
@@ -118,7 +122,115 @@ struct EnergyLedger {
   double error() const { return initial + boundary_work - accounted(); }
 };
 
-struct SimulationView : Space {
+/// OwnRows of a list that stand side by side: `for (const std::size_t k : view.own_pairs())`.
+class OwnRows {
+ public:
+  class Iterator {
+   public:
+    explicit Iterator(std::size_t row) : row_(row) {}
+    std::size_t operator*() const { return row_; }
+    Iterator& operator++() {
+      ++row_;
+      return *this;
+    }
+    bool operator==(const Iterator&) const = default;
+
+   private:
+    std::size_t row_;
+  };
+
+  OwnRows() = default;
+  OwnRows(std::size_t first, std::size_t behind) : first_(first), behind_(behind) {}
+  Iterator begin() const { return Iterator(first_); }
+  Iterator end() const { return Iterator(behind_); }
+  std::size_t first() const { return first_; }
+  std::size_t behind() const { return behind_; }  ///< the row after the last
+  std::size_t size() const { return behind_ - first_; }
+  bool contain(std::size_t row) const { return row >= first_ && row < behind_; }
+
+ private:
+  std::size_t first_ = 0, behind_ = 0;
+};
+
+/// Those who see the other parts of the same specimen, each on a rank of its own. All call the same functions in the
+/// same order with as many numbers; each waits for the others. Throws where one of them cannot go on.
+class OtherParts {
+ public:
+  virtual void add(std::span<ExactSum> sums) = 0;       ///< each becomes that of all parts
+  virtual void largest(std::span<double> numbers) = 0;  ///< each becomes the largest of all parts; no NaN
+  /// The records of all parts, one after the other; of each as many as it likes.
+  virtual std::vector<std::byte> all(std::span<const std::byte> own, std::size_t record_bytes) = 0;
+
+ protected:
+  ~OtherParts() = default;
+};
+
+/// What `SimulationView` shows when it is one part of a specimen that several ranks share. Its lists hold what belongs
+/// to this rank and copies of what others have and these meet: of an own particle all pairs, bonds and wall contacts
+/// are there. Each particle, pair and bond of the specimen counts in one part, a pair or bond in that of its lower
+/// particle. Of a copied particle there are motion, reference position and constants; forces on it are not whole.
+/// Wall contacts are those of own particles; `cracks` stand in no order of time. What is no list (walls, ledger,
+/// specimen, cell) is that of the whole.
+struct PartOfSpecimen {
+  OtherParts* others = nullptr;
+  OwnRows particles, pairs, bonds;  ///< that count here
+  int number = 0, count = 1;        ///< of this part, from 0 on; how many there are
+};
+
+/// What one may ask over the whole specimen, of which this shows all or a part.
+struct SeenInPart {
+  std::optional<PartOfSpecimen> part;  ///< none: this is all of it
+
+  /// Over the whole specimen, of terms that each part has added for what counts in it: the same bits for any number of
+  /// parts. Several in one go cost one message:
+  ///
+  ///     ExactSumOf<Mat3> moments;
+  ///     ExactSumOf<std::size_t> touching;
+  ///     for (const std::size_t k : view.own_pairs()) ...
+  ///     const auto [sum, count] = view.sum(moments, touching);
+  ///
+  /// All parts ask alike; see `OtherParts`.
+  template <class... T>
+  auto sum(const ExactSumOf<T>&... of) const {
+    std::vector<ExactSum> all;
+    (all.insert(all.end(), of.sums().begin(), of.sums().end()), ...);
+    const std::vector<double> values = sums(all);
+    const double* at = values.data();
+    const auto take = [&]<class Of>(const ExactSumOf<Of>&) {
+      at += ExactSumOf<Of>::size;
+      return ExactSumOf<Of>::of(at - ExactSumOf<Of>::size);
+    };
+    if constexpr (sizeof...(T) == 1) return (take(of), ...);
+    else return std::tuple<T...>{take(of)...};
+  }
+  /// The same of as many as there are.
+  std::vector<double> sums(std::span<ExactSum> of) const {
+    if (part && part->others) part->others->add(of);
+    std::vector<double> values;
+    for (const ExactSum& s : of) values.push_back(s.value());
+    return values;
+  }
+  /// The largest of all parts' numbers; no NaN.
+  double max(double number) const {
+    if (part && part->others) part->others->largest({&number, 1});
+    return number;
+  }
+  void max(std::span<double> numbers) const {
+    if (part && part->others) part->others->largest(numbers);
+  }
+  /// Records of all parts, for few of them. Those of own rows, in their order, come in the order of the whole.
+  template <class T>
+  std::vector<T> all(const std::vector<T>& own) const {
+    static_assert(std::is_trivially_copyable_v<T>);
+    if (!part || !part->others) return own;
+    const std::vector<std::byte> bytes = part->others->all(std::as_bytes(std::span(own)), sizeof(T));
+    std::vector<T> records(bytes.size() / sizeof(T));
+    if (!bytes.empty()) std::memcpy(static_cast<void*>(records.data()), bytes.data(), bytes.size());
+    return records;
+  }
+};
+
+struct SimulationView : Space, SeenInPart {
   double time = 0, time_step = 0;  // [s]
   std::uint64_t step = 0;
   ParticlesView particles;
@@ -135,6 +247,11 @@ struct SimulationView : Space {
     return Space{dimension, thickness, initial_cell}.branch(particles.initial_position[i],
                                                             particles.initial_position[j]);
   }
+
+  // What counts here: all there is, unless this is a part.
+  OwnRows own_particles() const { return part ? part->particles : OwnRows(0, particles.size()); }
+  OwnRows own_pairs() const { return part ? part->pairs : OwnRows(0, pairs.size()); }
+  OwnRows own_bonds() const { return part ? part->bonds : OwnRows(0, bonds.size()); }
 };
 
 /// "feldspar-quartz" for each two materials that have bonds: `f(name, bonds)` with the rows of these in `bonds`. Not

@@ -190,27 +190,27 @@ struct ElasticBrittle {
   /// Averages over all particles (3a) or bonds (3b, 3c) of the radii that stiffness and strength go by.
   struct MeanRadii {
     double stiffness = 0, strength = 0, strength_squared = 0;  // [m], [m], [m2]
-    void add(double r_stiffness, double r_strength) {
-      stiffness += r_stiffness;
-      strength += r_strength;
-      strength_squared += r_strength * r_strength;
-    }
   };
   static MeanRadii mean_radii(StiffnessModel model, const Assembly& a) {
-    MeanRadii m;
+    ExactSumOf<double> stiffness, strength, strength_squared, count;
+    const auto add = [&](double r_stiffness, double r_strength) {
+      stiffness.add(r_stiffness);
+      strength.add(r_strength);
+      strength_squared.add(r_strength * r_strength);
+    };
     const bool of_particles = model == StiffnessModel::model_3a;
-    if (!of_particles && a.bond_i.empty())
-      throw UserError("contact_law: models 3b and 3c average over bonds, and no bond was made");
+    count.add(double(of_particles ? a.own_particles().size() : a.own_bonds().size()));
     if (of_particles)
-      for (const double r : a.radius) m.add(r, r);
+      for (const std::size_t k : a.own_particles()) add(a.radius[k], a.radius[k]);
     else
-      for (std::size_t k = 0; k < a.bond_i.size(); ++k) {
+      for (const std::size_t k : a.own_bonds()) {
         const double x = a.radius[a.bond_i[k]], y = a.radius[a.bond_j[k]], mean = 0.5 * (x + y);
-        if (model == StiffnessModel::model_3b) m.add(mean, mean);
-        else m.add(2 * x * y / (x + y), std::min(x, y));
+        if (model == StiffnessModel::model_3b) add(mean, mean);
+        else add(2 * x * y / (x + y), std::min(x, y));
       }
-    const double n = double(of_particles ? a.radius.size() : a.bond_i.size());
-    return {m.stiffness / n, m.strength / n, m.strength_squared / n};
+    const auto [r_stiffness, r_strength, r_squared, n] = a.sum(stiffness, strength, strength_squared, count);
+    if (!(n > 0)) throw UserError("contact_law: models 3b and 3c average over bonds, and no bond was made");
+    return {r_stiffness / n, r_strength / n, r_squared / n};
   }
 
   // K_n = k_uniform + k_arithmetic r_a + k_harmonic r_h; strength area likewise. One weight of each is set, the rest

@@ -47,7 +47,7 @@ struct Law {
     const bool same = c.stiffness_radius == StiffnessRadius::none;
     if (c.bending_ratio || !same) {
       for (const double r : a.radius) reference_radius = std::max(reference_radius, r);
-      reference_radius = c.reference_radius.value_or(reference_radius);
+      reference_radius = c.reference_radius.value_or(a.max(reference_radius));
     }
     const double given = c.normal_stiffness.value_or(0) * thickness;
     if (c.normal_stiffness) (same ? k_constant : k_linear) = same ? given : given / reference_radius;

@@ -153,6 +153,7 @@ struct Law {
     double longest = 0;
     for (std::size_t k = 0; k < a.bond_i.size(); ++k)
       longest = std::max(longest, a.radius[a.bond_i[k]] + a.radius[a.bond_j[k]]);
+    longest = a.max(longest);
     if (!(longest > 0)) return;
     const double least = stored_at_strength(c, *c.bond_modulus / longest);
     if (*c.fracture_energy < least)

@@ -88,6 +88,7 @@ class ContactStress final : public Postprocessor {
   explicit ContactStress(const Config& c)
       : c_(c), loading_(std::size_t(c.bins), *std::min_element(c.at.begin(), c.at.end())) {}
 
+  bool sees_parts() const override { return true; }
   void begin(const SimulationView& view, Recorder&, Host&) override {
     if (!(view.specimen.volume > 0))
       throw UserError("contact_stress: the specimen has no volume to average over; check the packing");

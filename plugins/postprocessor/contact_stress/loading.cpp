@@ -22,21 +22,23 @@ double axial_stress(const SimulationView& view) {
   const ParticlesView& p = view.particles;
   const Vec3& axis = view.specimen.axis;
   const auto part = [&](const Vec3& arm, const Vec3& force) { return arm.dot(axis) * force.dot(axis); };
-  double sum = 0;
-  for (std::size_t k = 0; k < view.pairs.size(); ++k) {
+  ExactSumOf<double> sum;
+  for (const std::size_t k : view.own_pairs()) {
     const PairForce& f = view.pairs.force[k];
-    sum += part(view.branch(p.position[view.pairs.i[k]], p.position[view.pairs.j[k]]), Vec3(f.fx, f.fy, f.fz));
+    sum.add(part(view.branch(p.position[view.pairs.i[k]], p.position[view.pairs.j[k]]), Vec3(f.fx, f.fy, f.fz)));
   }
-  for (const WallContact& c : view.wall_contacts) sum += part(c.point - p.position[c.particle], c.force);
-  for (const Mat3& moment : p.boundary_moment) sum += axis.dot(moment * axis);
-  return -sum / view.specimen.volume;
+  for (const WallContact& c : view.wall_contacts) sum.add(part(c.point - p.position[c.particle], c.force));
+  if (!p.boundary_moment.empty())
+    for (const std::size_t k : view.own_particles()) sum.add(axis.dot(p.boundary_moment[k] * axis));
+  return -view.sum(sum) / view.specimen.volume;
 }
 
 std::vector<DirectionBin> by_direction(const SimulationView& view, std::size_t bins, double area_factor,
                                        std::optional<double> limit) {
   std::vector<DirectionBin> all(bins);
+  std::vector<ExactSum> sums(3 * bins);  // of each interval: compression, tension, yield
   const ParticlesView& p = view.particles;
-  for (std::size_t k = 0; k < view.pairs.size(); ++k) {
+  for (const std::size_t k : view.own_pairs()) {
     const PairForce& f = view.pairs.force[k];
     if (view.pairs.state[k] != BondState::intact && f.fx == 0 && f.fy == 0 && f.fz == 0) continue;
     const Index i = view.pairs.i[k], j = view.pairs.j[k];
@@ -45,19 +47,34 @@ std::vector<DirectionBin> by_direction(const SimulationView& view, std::size_t b
     const double area = area_factor * (view.dimension == 2 ? 2 * r * view.thickness : std::numbers::pi * r * r);
     const double pressure = -(f.fx * n.x() + f.fy * n.y() + f.fz * n.z()) / area;  // the force on i points away from j
     const double share = std::asin(std::min(1.0, std::abs(n.dot(view.specimen.axis)))) / (0.5 * std::numbers::pi);
-    DirectionBin& bin = all[std::min(bins - 1, std::size_t(share * double(bins)))];
+    const std::size_t at = std::min(bins - 1, std::size_t(share * double(bins)));
+    DirectionBin& bin = all[at];
     ++bin.contacts;
     if (pressure > 0) {
       ++bin.compressed;
-      bin.compression += pressure;
+      sums[3 * at].add(pressure);
     } else if (pressure < 0) {
       ++bin.tensile;
-      bin.tension -= pressure;
+      sums[3 * at + 1].add(-pressure);
     }
     if (limit && pressure >= *limit) {
       ++bin.yielded;
-      bin.yield += pressure;
+      sums[3 * at + 2].add(pressure);
     }
+  }
+  for (const DirectionBin& bin : all)
+    for (const std::size_t count : {bin.contacts, bin.compressed, bin.tensile, bin.yielded})
+      sums.emplace_back().add(double(count));
+  const std::vector<double> of_all = view.sums(sums);
+  for (std::size_t b = 0; b < bins; ++b) {
+    const double *const of = &of_all[3 * b], *const count = &of_all[3 * bins + 4 * b];
+    all[b] = {std::size_t(count[0]),
+              std::size_t(count[1]),
+              std::size_t(count[2]),
+              std::size_t(count[3]),
+              of[0],
+              of[1],
+              of[2]};
   }
   return all;
 }

@@ -90,6 +90,7 @@ class ElasticConstants final : public Postprocessor {
   }
 
   explicit ElasticConstants(const Config& config) : config_(config) {}
+  bool sees_parts() const override { return true; }  // of curves alone
 
   std::vector<std::string> needed_curves() const override { return {config_.stress, config_.strain, config_.lateral}; }
 

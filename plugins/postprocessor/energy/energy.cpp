@@ -50,6 +50,7 @@ class Energy final : public Postprocessor {
   }
 
   explicit Energy(const Config&) {}
+  bool sees_parts() const override { return true; }  // the ledger is that of the whole
 
   void begin(const SimulationView&, Recorder& recorder, Host&) override {
     for (std::size_t k = 0; k < accounts.size(); ++k)

@@ -16,15 +16,6 @@ struct Fabric {
   Mat3 tensor = Mat3::Zero();
   std::size_t count = 0;
 
-  void add(const Vec3& branch) {
-    const Vec3 n = branch.normalized();
-    tensor += n * n.transpose();
-    ++count;
-  }
-  Fabric& average() {
-    if (count > 0) tensor /= double(count);
-    return *this;
-  }
   Mat3 deviator(int dimension) const {
     Mat3 d = tensor;
     for (int k = 0; k < dimension; ++k) d(k, k) -= tensor.trace() / dimension;
@@ -39,6 +30,23 @@ struct Fabric {
   /// E(n) = (1 + F : n (x) n)/(4 pi), F = 15/2 dev, sqrt(3/2 F:F); in the plane
   /// E(n) = (1 + F : n (x) n)/(2 pi), F = 4 dev, sqrt(1/2 F:F).
   double anisotropy(int dimension) const { return invariant(dimension) * (dimension == 3 ? 7.5 : 2); }
+};
+
+class Directions {
+ public:
+  void add(const Vec3& branch) {
+    const Vec3 n = branch.normalized();
+    tensor_.add(n * n.transpose());
+    count_.add(1);
+  }
+  Fabric of(const SimulationView& view) const {
+    const auto [tensor, count] = view.sum(tensor_, count_);
+    return {count > 0 ? Mat3(tensor / double(count)) : tensor, count};
+  }
+
+ private:
+  ExactSumOf<Mat3> tensor_;
+  ExactSumOf<std::size_t> count_;
 };
 
 Json json(const Mat3& m) {
@@ -102,6 +110,7 @@ class FabricTensor final : public Postprocessor {
   }
 
   explicit FabricTensor(const Config& config) : config_(config) {}
+  bool sees_parts() const override { return true; }
 
   void begin(const SimulationView&, Recorder& recorder, Host&) override {
     if (!config_.columns) return;
@@ -132,18 +141,18 @@ class FabricTensor final : public Postprocessor {
 
  private:
   static Fabric initial(const SimulationView& view) {
-    Fabric f;
-    for (std::size_t b = 0; b < view.bonds.size(); ++b) f.add(view.initial_branch(view.bonds.i[b], view.bonds.j[b]));
-    return f.average();
+    Directions d;
+    for (const std::size_t b : view.own_bonds()) d.add(view.initial_branch(view.bonds.i[b], view.bonds.j[b]));
+    return d.of(view);
   }
   Fabric present(const SimulationView& view) const {
-    Fabric f;
+    Directions d;
     const auto& x = view.particles.position;
     const PairsView& pairs = view.pairs;
-    for (std::size_t k = 0; k < pairs.size(); ++k)
+    for (const std::size_t k : view.own_pairs())
       if (config_.of == Of::bonds ? pairs.state[k] == BondState::intact : touches(pairs.force[k]))
-        f.add(view.branch(x[pairs.i[k]], x[pairs.j[k]]));
-    return f.average();
+        d.add(view.branch(x[pairs.i[k]], x[pairs.j[k]]));
+    return d.of(view);
   }
 
   Config config_;

@@ -3,7 +3,6 @@
 /// Source: Ouyang, Yang & Chen (2017), Appl. Sci. 7(7), 686, section 2.4 (lateral: four particles nearest each side's
 /// mid-point); the axial gauge is ours.
 #include <algorithm>
-#include <numeric>
 
 #include "breccia/postprocessor.hpp"
 
@@ -35,6 +34,7 @@ class Gauges final : public Postprocessor {
   }
 
   explicit Gauges(const Config& config) : c_(config) {}
+  bool sees_parts() const override { return true; }
 
   void begin(const SimulationView& view, Recorder& recorder, Host&) override {
     if (view.cell.repeats())
@@ -50,7 +50,7 @@ class Gauges final : public Postprocessor {
 
   void sample(const SimulationView& view, Recorder& recorder) override {
     double across = 0;
-    for (const Gauge& g : across_) across += strain(view, g) / double(across_.size());
+    for (Gauge& g : across_) across += strain(view, g) / double(across_.size());
     recorder.set(lateral_, across);
     recorder.set(axial_, -strain(view, along_));
   }
@@ -69,10 +69,51 @@ class Gauges final : public Postprocessor {
   }
 
  private:
+  /// Particles by their numbers in the packing, ascending; and the rows of those that are own ones.
+  class Group {
+   public:
+    Group() = default;
+    explicit Group(std::vector<Index> ids) : ids_(std::move(ids)) { std::sort(ids_.begin(), ids_.end()); }
+    std::size_t size() const { return ids_.size(); }
+    bool empty() const { return ids_.empty(); }
+    void add(const SimulationView& view, Strided<const Vec3> x, const Vec3& direction, ExactSumOf<double>& to) {
+      find(view);
+      for (const Index row : rows_) to.add(x[row].dot(direction));
+    }
+    void archive(Archive& archive) {
+      archive("ids", ids_);
+      own_ = {};
+      rows_.clear();
+    }
+
+   private:
+    /// Anew when particles have changed their places.
+    void find(const SimulationView& view) {
+      const OwnRows own = view.own_particles();
+      const auto& id = view.particles.id;
+      const Index first = own.size() > 0 ? id[own.first()] : Index(-1);
+      bool same = own.first() == own_.first() && own.behind() == own_.behind() && first == first_;
+      for (std::size_t k = 0; same && k < rows_.size(); ++k) same = id[rows_[k]] == found_[k];
+      if (same) return;
+      own_ = own;
+      first_ = first;
+      rows_.clear();
+      found_.clear();
+      for (const std::size_t row : own) {
+        if (!std::binary_search(ids_.begin(), ids_.end(), id[row])) continue;
+        rows_.push_back(Index(row));
+        found_.push_back(id[row]);
+      }
+    }
+    std::vector<Index> ids_, rows_, found_;
+    OwnRows own_;
+    Index first_ = Index(-1);  ///< id of the first own one
+  };
+
   /// Two groups of particles and the direction from one to the other.
   struct Gauge {
     Vec3 direction = Vec3::Zero();
-    std::vector<Index> low, high;
+    Group low, high;
     double length = 0;  ///< at the start of loading [m]
     void archive(Archive& archive) {
       archive("direction", direction);
@@ -82,16 +123,15 @@ class Gauges final : public Postprocessor {
     }
   };
 
-  static double distance(Strided<const Vec3> x, const Gauge& g) {
-    const auto mean = [&](const std::vector<Index>& group) {
-      double sum = 0;
-      for (const Index k : group) sum += x[k].dot(g.direction);
-      return sum / double(group.size());
-    };
-    return mean(g.high) - mean(g.low);
+  static double distance(const SimulationView& view, Strided<const Vec3> x, Gauge& g) {
+    ExactSumOf<double> low, high;
+    g.low.add(view, x, g.direction, low);
+    g.high.add(view, x, g.direction, high);
+    const auto [of_low, of_high] = view.sum(low, high);
+    return of_high / double(g.high.size()) - of_low / double(g.low.size());
   }
-  static double strain(const SimulationView& view, const Gauge& g) {
-    return distance(view.particles.position, g) / g.length - 1;
+  static double strain(const SimulationView& view, Gauge& g) {
+    return distance(view, view.particles.position, g) / g.length - 1;
   }
 
   /// Groups and lengths as they are where displacements are counted from.
@@ -103,23 +143,26 @@ class Gauges final : public Postprocessor {
     for (const Vec3& side : cross_directions(s.axis, view.dimension)) {
       // The bounding box has its sides along x, y, z; a cylinder is as wide in all directions across its axis.
       const double half = 0.5 * side.cwiseAbs().dot(s.extent);
-      across_.push_back(
-          checked({side, nearest(x, middle - half * side), nearest(x, middle + half * side), 0}, x, "lateral"));
+      across_.push_back(checked({side, nearest(view, middle - half * side), nearest(view, middle + half * side), 0},
+                                view, "lateral"));
     }
-    const double radius =
-        std::accumulate(view.particles.radius.begin(), view.particles.radius.end(), 0.0) / double(x.size());
-    const double half = 0.5 * c_.axial_length * s.height;
+    ExactSumOf<double> radii;
+    ExactSumOf<std::size_t> count;
+    for (const std::size_t k : view.own_particles()) radii.add(view.particles.radius[k]);
+    count.add(view.own_particles().size());
+    const auto [sum, all] = view.sum(radii, count);
+    const double radius = sum / double(all), half = 0.5 * c_.axial_length * s.height;
     const auto layer = [&](double height) {
-      std::vector<Index> group;
-      for (Index k = 0; k < x.size(); ++k)
-        if (std::abs((x[k] - middle).dot(s.axis) - height) <= 2 * radius) group.push_back(k);
-      return group;
+      std::vector<Index> ids;
+      for (const std::size_t k : view.own_particles())
+        if (std::abs((x[k] - middle).dot(s.axis) - height) <= 2 * radius) ids.push_back(view.particles.id[k]);
+      return Group(view.all(ids));
     };
-    along_ = checked({s.axis, layer(-half), layer(half), 0}, x, "axial");
+    along_ = checked({s.axis, layer(-half), layer(half), 0}, view, "axial");
   }
 
-  static Gauge checked(Gauge g, Strided<const Vec3> x, const char* which) {
-    if (!g.low.empty() && !g.high.empty()) g.length = distance(x, g);
+  static Gauge checked(Gauge g, const SimulationView& view, const char* which) {
+    if (!g.low.empty() && !g.high.empty()) g.length = distance(view, view.particles.initial_position, g);
     if (!(g.length > 0))
       throw UserError(std::string("postprocessor gauges: the specimen has too few particles for the ") + which +
                       " gauge");
@@ -135,16 +178,27 @@ class Gauges final : public Postprocessor {
     return {first, axis.cross(first)};
   }
 
-  std::vector<Index> nearest(Strided<const Vec3> x, const Vec3& point) const {
-    std::vector<Index> all(x.size());
-    std::iota(all.begin(), all.end(), Index(0));
-    const std::size_t n = std::min(all.size(), std::size_t(c_.particles));
-    std::partial_sort(all.begin(), all.begin() + std::ptrdiff_t(n), all.end(), [&](Index a, Index b) {
-      const double da = (x[a] - point).squaredNorm(), db = (x[b] - point).squaredNorm();
-      return da < db || (da == db && a < b);
-    });
-    all.resize(n);
-    return all;
+  Group nearest(const SimulationView& view, const Vec3& point) const {
+    struct Near {
+      double distance;
+      Index id;
+    };
+    std::vector<Near> all;
+    for (const std::size_t k : view.own_particles())
+      all.push_back({(view.particles.initial_position[k] - point).squaredNorm(), view.particles.id[k]});
+    const auto keep_nearest = [&] {
+      const std::size_t n = std::min(all.size(), std::size_t(c_.particles));
+      std::partial_sort(all.begin(), all.begin() + std::ptrdiff_t(n), all.end(), [](const Near& a, const Near& b) {
+        return a.distance < b.distance || (a.distance == b.distance && a.id < b.id);
+      });
+      all.resize(n);
+    };
+    keep_nearest();
+    all = view.all(all);  // of the nearest of each part
+    keep_nearest();
+    std::vector<Index> ids;
+    for (const Near& one : all) ids.push_back(one.id);
+    return Group(std::move(ids));
   }
 
   Config c_;

@@ -43,6 +43,7 @@ class Stress final : public Postprocessor {
   }
 
   explicit Stress(const Config&) {}
+  bool sees_parts() const override { return true; }
 
   void begin(const SimulationView& view, Recorder& recorder, Host&) override {
     if (!(view.specimen.volume > 0))
@@ -106,17 +107,19 @@ class Stress final : public Postprocessor {
   /// compression pushes against the branch vector, hence negative.
   static Mat3 average(const SimulationView& view) {
     const auto& x = view.particles.position;
-    Mat3 sum = Mat3::Zero();
-    for (std::size_t k = 0; k < view.pairs.size(); ++k) {
+    ExactSumOf<Mat3> sum;
+    for (const std::size_t k : view.own_pairs()) {
       const PairForce& f = view.pairs.force[k];
-      sum += view.branch(x[view.pairs.i[k]], x[view.pairs.j[k]]) * Vec3(f.fx, f.fy, f.fz).transpose();
+      sum.add(view.branch(x[view.pairs.i[k]], x[view.pairs.j[k]]) * Vec3(f.fx, f.fy, f.fz).transpose());
     }
-    for (const WallContact& c : view.wall_contacts) sum += (c.point - x[c.particle]) * c.force.transpose();
-    for (const Mat3& moment : view.particles.boundary_moment) sum += moment;
-    return sum / view.specimen.volume;
+    for (const WallContact& c : view.wall_contacts) sum.add((c.point - x[c.particle]) * c.force.transpose());
+    if (const auto moment = view.particles.boundary_moment; !moment.empty())
+      for (const std::size_t k : view.own_particles()) sum.add(moment[k]);
+    return view.sum(sum) / view.specimen.volume;
   }
 
-  /// Over the volume of each particle: sum over its contacts of (contact point - centre) (x) force.
+  /// Over the volume of each particle: sum over its contacts of (contact point - centre) (x) force. Of copies in a part
+  /// not all contacts are there.
   static std::vector<Mat3> of_particles(const SimulationView& view) {
     const ParticlesView& p = view.particles;
     std::vector<Mat3> stress(p.size(), Mat3::Zero());

@@ -142,8 +142,9 @@ class Brazilian final : public Protocol {
   double load() const override { return s_.stress; }
   double load_scale() const override { return strain_of_touch * modulus_; }
 
+  bool sees_parts() const override { return true; }
   void sample(const SimulationView& view, Recorder& recorder) const override {
-    std::size_t fewest = view.particles.size();
+    std::size_t fewest = view.walls.front().contacts;
     for (const WallView& platen : view.walls) fewest = std::min(fewest, platen.contacts);
     const double values[6] = {
         s_.load,       s_.displacement, s_.displacement / diameter_, s_.imbalance, unbalanced_force_ratio(view),

@@ -157,6 +157,7 @@ class PeriodicCell final : public Protocol {
   }
   double load_scale() const override { return strain_of_touch * stiffness_.modulus; }
 
+  bool sees_parts() const override { return true; }
   void sample(const SimulationView& view, Recorder& recorder) const override {
     const Vec3 strain = s_.edges.cwiseQuotient(s_.start) - Vec3::Ones();
     double volume = 1;

@@ -94,6 +94,7 @@ class AxialTest : public Protocol {
   double load() const override { return s_.stress - s_.lateral; }
   double load_scale() const override { return strain_of_touch * stiffness_.modulus; }
 
+  bool sees_parts() const override { return true; }
   void sample(const SimulationView& view, Recorder& recorder) const override {
     recorder.set(stress_, s_.stress);
     recorder.set(strain_, s_.strain);

@@ -7,26 +7,27 @@
 namespace breccia {
 
 /// Mean resultant on a particle over mean contact force: small values say that a run is quasi-static. 0 without
-/// contacts. Particles that `held` marks (one entry each, or none) have a resultant by intention and do not count.
-inline double unbalanced_force_ratio(Strided<const Vec3> forces, std::span<const PairForce> pairs,
-                                     std::span<const std::uint8_t> held = {}) {
-  double resultant = 0, contact = 0;
-  std::size_t contacts = 0, particles = 0;
-  for (std::size_t k = 0; k < forces.size(); ++k) {
-    if (!held.empty() && held[k]) continue;
-    resultant += forces[k].norm();
-    ++particles;
-  }
-  for (const PairForce& f : pairs) {
-    const double size = std::sqrt(f.fx * f.fx + f.fy * f.fy + f.fz * f.fz);
-    contact += size;
-    contacts += size > 0;
-  }
-  return contact > 0 && particles > 0 ? resultant / double(particles) / (contact / double(contacts)) : 0.0;
-}
-
+/// contacts. Particles that `held` marks (one entry each, or none) have a resultant by intention and do not count. Of a
+/// specimen in parts that of the whole.
 inline double unbalanced_force_ratio(const SimulationView& view, std::span<const std::uint8_t> held = {}) {
-  return unbalanced_force_ratio(view.particles.force, view.pairs.force, held);
+  ExactSumOf<double> resultant, contact;
+  ExactSumOf<std::size_t> particles, contacts;
+  std::size_t free = 0, touching = 0;
+  for (const std::size_t k : view.own_particles()) {
+    if (!held.empty() && held[k]) continue;
+    resultant.add(view.particles.force[k].norm());
+    ++free;
+  }
+  for (const std::size_t k : view.own_pairs()) {
+    const PairForce& f = view.pairs.force[k];
+    const double size = std::sqrt(f.fx * f.fx + f.fy * f.fy + f.fz * f.fz);
+    contact.add(size);
+    touching += size > 0;
+  }
+  particles.add(free);
+  contacts.add(touching);
+  const auto [force, of_contacts, n, m] = view.sum(resultant, contact, particles, contacts);
+  return of_contacts > 0 && n > 0 ? force / double(n) / (of_contacts / double(m)) : 0.0;
 }
 
 }  // namespace breccia
