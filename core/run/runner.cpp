@@ -83,7 +83,8 @@ void OneRun::build() {
   check_specimen(view, packing_porosity(), w_.checks, monitor_);
   if (branch_ && !branch_->goes_on()) begin_on_specimen();
   laws_->within([&] {
-    time_column_ = add_columns(simulation_->view(), *simulation_, *protocol_, protocol_id(), posts_, curves_, monitor_);
+    StepViews views(*simulation_, others_);
+    time_column_ = add_columns(views, *simulation_, *protocol_, protocol_id(), posts_, curves_, monitor_);
   });
   frames_->begin(ranks_.told(options_.folder.string()), monitor_);
   laws_->within([&] {
