@@ -82,7 +82,7 @@ int cli::with_command_line(const std::function<int(CLI::App&, const int&)>& use)
 
   cli::RenderArguments render;
   verb = app.add_subcommand("render", "Make pictures from the files of a run");
-  verb->add_option("SOURCE", render.source, "result folder, .pvd or .vtp file")->required();
+  verb->add_option("SOURCE", render.source, "result folder, .pvd, .vtp or .pvtp file")->required();
   verb->add_option("--output", render.output, "folder of the pictures; default: beside the source")
       ->type_name("FOLDER");
   verb->add_flag("--overwrite", render.overwrite, "replace pictures of the same names");

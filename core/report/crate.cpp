@@ -34,10 +34,10 @@ std::string media_type_of(const fs::path& file) {
   static const std::pair<const char*, const char*> known[] = {
       {".json", "application/json"}, {".csv", "text/csv"},        {".yaml", "application/yaml"},
       {".log", "text/plain"},        {".png", "image/png"},       {".svg", "image/svg+xml"},
-      {".pdf", "application/pdf"},   {".vtp", "application/xml"}, {".pvd", "application/xml"},
-      {".md", "text/markdown"},      {".html", "text/html"},      {".h5", "application/x-hdf5"},
-      {".mp4", "video/mp4"},         {".webm", "video/webm"},     {".gif", "image/gif"},
-      {".xyz", "text/plain"}};
+      {".pdf", "application/pdf"},   {".vtp", "application/xml"}, {".pvtp", "application/xml"},
+      {".pvd", "application/xml"},   {".md", "text/markdown"},    {".html", "text/html"},
+      {".h5", "application/x-hdf5"}, {".mp4", "video/mp4"},       {".webm", "video/webm"},
+      {".gif", "image/gif"},         {".xyz", "text/plain"}};
   for (const auto& [ending, type] : known)
     if (has_ending(file, ending)) return type;
   return "application/octet-stream";

@@ -26,17 +26,18 @@ void check_needed(std::vector<Listed<Postprocessor>>& postprocessors, const Curv
   }
 }
 
-std::size_t set_up(const SimulationView& view, LoadControl& control, Protocol& protocol, const PluginId& protocol_id,
+std::size_t set_up(StepViews& views, LoadControl& control, Protocol& protocol, const PluginId& protocol_id,
                    std::vector<Listed<Postprocessor>>& postprocessors, CurveTable& curves, Host& host) {
   const std::size_t time = curves.add({"time", "s", "since the first step"});
   try {
+    const SimulationView view = protocol.sees_parts() ? views.part() : views.everywhere();
     calling(protocol_id, "setting up the test", [&] { protocol.setup(view, control, curves, host); });
   } catch (const PluginFault& e) { throw AtPath("protocol", e.what()); }
   for (auto& p : postprocessors) {
-    if (!p.works()) continue;
     NamedRecorder recorder(curves, p.prefix());
     try {
-      p.call("adding its curves", [&](Postprocessor& q) { q.begin(view, recorder, host); });
+      p.show(views, "adding its curves",
+             [&](Postprocessor& q, const SimulationView& view) { q.begin(view, recorder, host); });
     } catch (const PluginFault& e) {
       throw AtPath("postprocessors[" + std::to_string(&p - postprocessors.data()) + "]", e.what());
     }
@@ -73,7 +74,6 @@ class FewParticles {
     laws_.within([&] { simulation_.bond({GapMeasure::relative, 1e-6, std::nullopt}, SpecimenToTell{0.3, 6}); });
   }
 
-  SimulationView view() { return simulation_.view(); }
   Simulation& simulation() { return simulation_; }
 
  private:
@@ -83,10 +83,9 @@ class FewParticles {
 
 }  // namespace
 
-std::size_t add_columns(const SimulationView& view, LoadControl& control, Protocol& protocol,
-                        const PluginId& protocol_id, std::vector<Listed<Postprocessor>>& postprocessors,
-                        CurveTable& curves, Host& host) {
-  const std::size_t time = set_up(view, control, protocol, protocol_id, postprocessors, curves, host);
+std::size_t add_columns(StepViews& views, LoadControl& control, Protocol& protocol, const PluginId& protocol_id,
+                        std::vector<Listed<Postprocessor>>& postprocessors, CurveTable& curves, Host& host) {
+  const std::size_t time = set_up(views, control, protocol, protocol_id, postprocessors, curves, host);
   check_needed(postprocessors, curves);
   return time;
 }
@@ -98,10 +97,11 @@ void check_curves(const Workflow& w, const Registry& registry) {
     SilentHost host;
     try {
       FewParticles few(w, registry, w.packing_request(), outline);
-      const SimulationView view = few.view();
+      MeetingParts nobody(nullptr);
+      StepViews views(few.simulation(), nobody);
       const auto protocol = registry.create<Protocol>(w.protocol);
       for (const PluginChoice& c : w.postprocessors) postprocessors.emplace_back(c, registry);
-      set_up(view, few.simulation(), *protocol, {Protocol::kind, w.protocol.type}, postprocessors, curves, host);
+      set_up(views, few.simulation(), *protocol, {Protocol::kind, w.protocol.type}, postprocessors, curves, host);
     } catch (const std::exception&) {
       continue;  // it may be the few particles: the run will say
     }

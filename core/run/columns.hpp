@@ -11,9 +11,8 @@ namespace breccia {
 
 /// Of a run: sets up the test and lets the post-processors add their curves. UserError when one needs a curve that
 /// there is not. Returns the column of the time.
-std::size_t add_columns(const SimulationView& view, LoadControl& control, Protocol& protocol,
-                        const PluginId& protocol_id, std::vector<Listed<Postprocessor>>& postprocessors,
-                        CurveTable& curves, Host& host);
+std::size_t add_columns(StepViews& views, LoadControl& control, Protocol& protocol, const PluginId& protocol_id,
+                        std::vector<Listed<Postprocessor>>& postprocessors, CurveTable& curves, Host& host);
 
 /// Tries the same with a few particles in place of the specimen, which may be long in the making: UserError when a
 /// post-processor needs a curve that no plugin adds. What cannot be tried with so few is left to the run.

@@ -71,6 +71,7 @@ void OneRun::build() {
     simulation_ = std::make_unique<Simulation>(
         assemble(packing_.particles, w_.materials_of(packing_.particles), dimension, w_.thickness, ranks_.link()),
         laws_->interactions(), settings);
+    if (!ranks_.first()) packing_.particles = {};  // this rank's share of it stands in the simulation
     bonding_ = simulation_->bond(w_.bonding.rule());
   });
   memory_is_for(simulation_->state().particles.size(), simulation_->state().bonds.size());
@@ -84,8 +85,8 @@ void OneRun::build() {
   if (ranks_.first()) check_specimen(view, porosity, w_.checks, monitor_);
   if (branch_ && !branch_->goes_on()) begin_on_specimen();
   laws_->within([&] {
-    time_column_ =
-        add_columns(simulation_->view(true), *simulation_, *protocol_, protocol_id(), posts_, curves_, monitor_);
+    StepViews views(*simulation_, others_);
+    time_column_ = add_columns(views, *simulation_, *protocol_, protocol_id(), posts_, curves_, monitor_);
   });
   frames_->begin(ranks_.told(options_.folder.string()), monitor_);
   laws_->within([&] {

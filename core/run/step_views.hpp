@@ -22,6 +22,8 @@ class StepViews {
     if (!whole_) whole_ = simulation_.whole(part_);
     return *whole_;
   }
+  /// The same on all ranks, which costs each of them the memory of the whole.
+  SimulationView everywhere() { return simulation_.whole(part_, true); }
   MeetingParts& others() { return others_; }
 
   /// Calls `f(view)` on all ranks with the part, if it `sees_parts`, else on the first with the whole. What fails on

@@ -15,13 +15,14 @@ from numpy.typing import NDArray
 from .columns import Floats
 from .errors import Damaged, NeedsPackage, NotThere, did_you_mean
 from .files import read_text
+from .pieces import joined, pieces_of
 
 Ints = NDArray[numpy.int64]
 MODES = {2: "tension", 3: "shear", 4: "mixed"}  # of the array `state`; 1 is intact
 
 
 def _read(file: Path) -> Any:
-    """The vtkPolyData of a file. NotThere, Damaged, NeedsPackage."""
+    """The vtkPolyData of a file, or of the pieces that a .pvtp file joins. NotThere, Damaged, NeedsPackage."""
     try:
         from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
         from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
@@ -29,6 +30,8 @@ def _read(file: Path) -> Any:
         raise NeedsPackage("frames need VTK's Python module (Debian: python3-vtk9)") from None
     if not file.is_file():
         raise NotThere(f"{file}: is not there; was it removed after the run?")
+    if file.suffix == ".pvtp":
+        return joined(file, [_read(piece) for piece in pieces_of(file)])
     # VTK says what is wrong on the terminal and returns an empty or a wrong frame: its words are caught here.
     words, window = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
     reader = vtkXMLPolyDataReader()

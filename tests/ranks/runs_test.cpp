@@ -147,6 +147,95 @@ const std::string column = std::string(spheres) + brittle +
                            "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, platen_stiffness: 15 MN/m, "
                            "max_strain: 0.6 %}\n";
 
+/// Post-processors and a protocol that see parts: for them nothing is brought together, and the numbers are those of
+/// one rank.
+TEST_F(Ranks, NothingIsBroughtTogetherForWhoSeesParts) {
+  write_many_spheres();
+  write("w.yaml", column +
+                      "postprocessors: [{type: stress}, {type: fabric, of: touching}, {type: energy}, {type: damage}, "
+                      "{type: gauges}, "
+                      "{type: contact_stress}, {type: elastic_constants, strain: platen_strain, lateral: "
+                      "gauge_lateral_strain}]\nsampling: {every_steps: 20}\ncheckpoints: {keep: 0}\n");
+  const Result one = call("run w.yaml --output one --threads 1");
+  ASSERT_EQ(one.code, 0) << one.text;
+  for (const int ranks : {2, 3}) {
+    const std::string folder = "on_" + std::to_string(ranks);
+    const Result many = call("run w.yaml --threads 1 --output " + folder, on(ranks));
+    ASSERT_EQ(many.code, 0) << many.text;
+    EXPECT_TRUE(has(many.text, "brought together 0 times")) << many.text;
+    expect_same_results(folder_ / "one", folder_ / folder);
+  }
+  // One that does not is shown the whole, beside the others.
+  write("v.yaml", replaced(content(folder_ / "w.yaml"), "{type: energy}", "{type: energy}, {type: statistics}"));
+  ASSERT_EQ(call("run v.yaml --output with_statistics --threads 1").code, 0);
+  const Result many = call("run v.yaml --threads 1 --output on_3_with_statistics", on(3));
+  ASSERT_EQ(many.code, 0) << many.text;
+  EXPECT_FALSE(has(many.text, "brought together 0 times")) << many.text;
+  expect_same_results(folder_ / "with_statistics", folder_ / "on_3_with_statistics");
+}
+
+/// Of frames in pieces the readers make what one file holds.
+TEST_F(Ranks, PiecesAreTheOneFile) {
+  write_many_spheres();
+  const std::string text =
+      column +
+      "postprocessors: [{type: stress}, {type: damage}, {type: bagi_strain}]\nsampling: {every_steps: 20}\n"
+      "checkpoints: {every_steps: 60, keep: 100, at_end: true}\n";
+  write("w.yaml", text + "outputs: [{type: vtk, interval: 15 us, precision: double}]\n");
+  write("v.yaml", text + "outputs: [{type: vtk, interval: 15 us, precision: double, pieces: ranks}]\n");
+  ASSERT_EQ(call("run w.yaml --output one --threads 1").code, 0);
+  ASSERT_EQ(call("run v.yaml --output one_piece --threads 1").code, 0);
+  const Result many = call("run v.yaml --output many --threads 1", on(3));
+  ASSERT_EQ(many.code, 0) << many.text;
+  const auto frames = [&](const std::string& folder, const std::string& ending) {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_ / folder))
+      if (const std::string name = entry.path().filename().string();
+          name.starts_with("particles_") && name.ends_with(ending))
+        names.insert(entry.path().stem().string());
+    return names;
+  };
+  const auto whole = frames("one", ".vtp");
+  ASSERT_GE(whole.size(), 3u);
+  EXPECT_EQ(frames("many", ".pvtp"), whole);
+  EXPECT_EQ(frames("many", "_2.vtp").size(), whole.size());
+  EXPECT_EQ(frames("one_piece", "_0.vtp").size(), whole.size());
+  const std::string last = *whole.rbegin();
+  const auto expect_whole = [&](const std::string& folder) {
+    for (const auto& [from, ending] : {std::pair{std::string("one"), ".vtp"}, {folder, ".pvtp"}}) {
+      const Result again = call("run w.yaml --overwrite --threads 1 --output again_" + from +
+                                " --set 'packing={type: from_file, file: " + from + "/" + last + ending +
+                                "}' --set 'protocol.max_strain=0.05 %' --set 'outputs=[]'");
+      ASSERT_EQ(again.code, 0) << again.text;
+    }
+    EXPECT_EQ(content(folder_ / "again_one/curves.csv"), content(folder_ / ("again_" + folder) / "curves.csv"));
+    if (pictures.empty()) return;
+    for (const std::string& from : {std::string("one"), folder}) {
+      const Result drawn = call("render " + from + " --overwrite");
+      ASSERT_EQ(drawn.code, 0) << drawn.text;
+    }
+    std::size_t compared = 0;
+    for (const auto& entry : fs::directory_iterator(folder_ / "one"))
+      if (entry.path().extension() == ".png") {
+        ++compared;
+        EXPECT_EQ(content(entry.path()), content(folder_ / folder / entry.path().filename())) << entry.path();
+      }
+    EXPECT_GT(compared, 0u);
+  };
+  expect_whole("one_piece");
+  expect_whole("many");
+  // Two go on from the first checkpoint: their frames have two pieces, none of three is left.
+  const auto written = checkpoints_of(folder_ / "many");
+  ASSERT_GE(written.size(), 2u);
+  for (std::size_t k = 1; k < written.size(); ++k) fs::remove(written[k]);
+  const Result further = call("run --resume many --threads 1", on(2));
+  ASSERT_EQ(further.code, 0) << further.text;
+  EXPECT_EQ(frames("many", ".pvtp"), whole);
+  EXPECT_LT(frames("many", "_2.vtp").size(), whole.size());
+  EXPECT_FALSE(fs::exists(folder_ / "many" / (last + "_2.vtp")));
+  expect_whole("many");
+}
+
 TEST_F(Ranks, AMistakeIsSaidOnce) {
   write_many_spheres();
   write("w.yaml", column + "sampling: {evry_steps: 7}\n");

@@ -22,6 +22,7 @@ Posts posts(bool first) {
            {"stress", Json::object()},
            {"fabric", {{"of", "touching"}, {"columns", true}}},
            {"energy", Json::object()},
+           {"damage", Json::object()},
            {"gauges", {{"particles", 4}, {"axial_length", 0.5}}},
            {"contact_stress", {{"at", {0.5, 1.0}}, {"bins", 9}, {"area_factor", 1.0}}}})
     all.emplace_back(PluginChoice{name, config}, registry, first);
@@ -103,7 +104,7 @@ void expect_same(const Measured& a, const Measured& b, const std::string& what) 
 TEST(PartViews, ShowWhatTheWholeShows) {
   const Measured one = measured(nullptr);
   ASSERT_GT(one.broken, 100u) << "the test must break something";
-  ASSERT_EQ(one.fields.size(), 3u);
+  ASSERT_EQ(one.fields.size(), 6u);
   for (const int ranks : {2, 3}) {
     std::vector<Measured> of_rank(static_cast<std::size_t>(ranks));
     // -1: particles change their ranks whenever the list is made anew.

@@ -96,9 +96,10 @@ class BRECCIA_API Protocol : public Plugin {
   virtual double load() const { return 0; }
   /// Of what size `load` is at the least once the specimen is loaded: changes of a small share of this do not matter.
   virtual double load_scale() const { return 0; }
-  /// True: `sample` and `finish` can see the part of a specimen that this rank of several has, and are called on all of
-  /// them, together; what they put together they ask of `view.sum` and `view.max`, and what the first sets counts.
-  /// False: on the first rank alone, for which all parts are brought together.
+  /// True: `setup`, `sample` and `finish` can see the part of a specimen that this rank of several has, and are called
+  /// on all of them, together; what they put together they ask of `view.sum` and `view.max`, and what the first sets
+  /// counts. False: all parts are brought together, for `setup` on all ranks, else on the first, which alone calls
+  /// them. Particles are named to `LoadControl` by their rows in the whole, as its `particles()` has them.
   virtual bool sees_parts() const { return false; }
   /// Fills its columns, of the instant of the last `decide`.
   virtual void sample(const SimulationView& view, Recorder& recorder) const = 0;

@@ -8,7 +8,7 @@
 namespace breccia {
 
 struct RenderRequest {
-  std::filesystem::path source;     ///< a result folder, or one .pvd or .vtp file
+  std::filesystem::path source;     ///< a result folder, or one .pvd, .vtp or .pvtp file
   std::filesystem::path directory;  ///< where the pictures go
 };
 

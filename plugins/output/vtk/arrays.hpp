@@ -60,13 +60,14 @@ void add_real(vtkFieldData* data, Precision precision, const char* name, const c
 }
 
 template <class Array>
-void add_field(vtkFieldData* data, const Field& field) {
+void add_field(vtkFieldData* data, const Field& field, const OwnRows& rows) {
   vtkNew<Array> array;
   using Value = typename Array::ValueType;
   array->SetNumberOfComponents(field.components);
-  array->SetNumberOfTuples(vtkIdType(field.values.size()) / field.components);
+  array->SetNumberOfTuples(vtkIdType(rows.size()));
   Value* to = array->GetPointer(0);
-  for (const double v : field.values) *to++ = Value(v);
+  const auto n = std::size_t(field.components);
+  for (std::size_t k = rows.first() * n; k < rows.behind() * n; ++k) *to++ = Value(field.values[k]);
   static constexpr const char *of_vector[] = {"x", "y", "z"}, *of_tensor[] = {"xx", "yy", "zz", "xy", "yz", "xz"};
   if (field.components == 3 || field.components == 6)
     for (int c = 0; c < field.components; ++c)
@@ -75,22 +76,23 @@ void add_field(vtkFieldData* data, const Field& field) {
 }
 
 /// 32 bits where they do: every program can read those.
-inline void add_whole_field(vtkFieldData* data, const Field& field) {
+inline void add_whole_field(vtkFieldData* data, const Field& field, const OwnRows& rows) {
   constexpr double most = std::numeric_limits<std::int32_t>::max();
   const bool small =
       std::all_of(field.values.begin(), field.values.end(), [](double v) { return v <= most && v >= -most; });
-  if (small) add_field<vtkTypeInt32Array>(data, field);
-  else add_field<vtkTypeInt64Array>(data, field);
+  if (small) add_field<vtkTypeInt32Array>(data, field, rows);
+  else add_field<vtkTypeInt64Array>(data, field, rows);
 }
 
+/// Of as many things as there are those in `rows`.
 inline void add_fields(vtkFieldData* data, std::span<const Field> fields, Field::On on, std::size_t size,
-                       Precision precision) {
+                       const OwnRows& rows, Precision precision) {
   for (const Field& f : fields) {
     if (f.on != on) continue;
     check_field(f, size, "vtk");
-    if (f.whole) add_whole_field(data, f);
-    else if (precision == Precision::single_precision) add_field<vtkFloatArray>(data, f);
-    else add_field<vtkDoubleArray>(data, f);
+    if (f.whole) add_whole_field(data, f, rows);
+    else if (precision == Precision::single_precision) add_field<vtkFloatArray>(data, f, rows);
+    else add_field<vtkDoubleArray>(data, f, rows);
   }
 }
 

@@ -7,28 +7,31 @@ namespace breccia::vtk_output {
 
 vtkSmartPointer<vtkPolyData> crack_data(const SimulationView& view, Precision precision) {
   const BondsView& b = view.bonds;
-  const std::size_t n = b.cracks.size();
-  std::vector<std::size_t> bond(n);  // of each crack
-  for (std::size_t k = 0; k < b.size(); ++k)
-    if (b.crack(k)) bond[b.crack_of[k]] = k;
+  std::vector<std::size_t> bond_of(b.cracks.size(), b.size());  // of each crack; none of those that count elsewhere
+  for (const std::size_t k : view.own_bonds())
+    if (b.crack(k)) bond_of[b.crack_of[k]] = k;
+  std::vector<std::size_t> bond;
+  for (const std::size_t k : bond_of)
+    if (k < b.size()) bond.push_back(k);
+  const std::size_t n = bond.size();
   const auto half_length = [&](std::size_t c) {
     return std::min(view.particles.radius[b.i[bond[c]]], view.particles.radius[b.j[bond[c]]]);
   };
   std::vector<Vec3> points;
-  for (const Crack& c : b.cracks) points.push_back(c.position);
+  for (const std::size_t k : bond) points.push_back(b.crack(k)->position);
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points_of(points));
   data->SetVerts(cells_of(n, 1, [](std::size_t c, int) { return c; }));
   vtkFieldData* on = data->GetPointData();
   add<vtkTypeUInt8Array>(on, "mode", "", n, [&](std::size_t c) { return std::uint8_t(b.state[bond[c]]); });
-  add_real(on, precision, "time", "s", n, [&](std::size_t c) { return b.cracks[c].time; });
-  add_real(on, precision, "normal", "1", n, [&](std::size_t c) { return b.cracks[c].normal; });
+  add_real(on, precision, "time", "s", n, [&](std::size_t c) { return b.crack(bond[c])->time; });
+  add_real(on, precision, "normal", "1", n, [&](std::size_t c) { return b.crack(bond[c])->normal; });
   add_real(on, precision, "half_length", "m", n, half_length);
   add_real(on, precision, "area", "m2", n, [&](std::size_t c) {
     const double r = half_length(c);
     return view.dimension == 2 ? 2 * r * view.thickness : std::numbers::pi * r * r;
   });
-  add_real(on, precision, "energy", "J", n, [&](std::size_t c) { return b.cracks[c].energy; });
+  add_real(on, precision, "energy", "J", n, [&](std::size_t c) { return b.crack(bond[c])->energy; });
   const auto ends = [&](const char* name, std::span<const Index> end) {
     add<vtkTypeInt32Array>(on, name, "", n, [&](std::size_t c) { return view.particles.id[end[bond[c]]]; });
   };

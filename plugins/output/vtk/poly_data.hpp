@@ -21,13 +21,15 @@ struct Bounds {
     archive("high", high);
   }
 };
-Bounds bounds_of(const ParticlesView& particles);
+Bounds bounds_of(const SimulationView& view);
 
 /// Centres and radii are always written in double precision: a frame can serve as a packing without loss.
-/// A field of the wrong length, or one whose name is taken, is a UserError.
+/// Of a part what counts in it. A field of the wrong length, or one whose name is taken, is a UserError.
 vtkSmartPointer<vtkPolyData> particle_data(const SimulationView& view, std::span<const Field> fields,
                                            Precision precision);
-vtkSmartPointer<vtkPolyData> bond_data(const SimulationView& view, std::span<const Field> fields, Precision precision);
+/// `piece`: with what is needed to join the lines of several pieces.
+vtkSmartPointer<vtkPolyData> bond_data(const SimulationView& view, std::span<const Field> fields, Precision precision,
+                                       bool piece);
 /// What broke so far, each crack as the point between the two particles: in the order in which they came.
 vtkSmartPointer<vtkPolyData> crack_data(const SimulationView& view, Precision precision);
 /// Each wall as a square a little larger than `specimen`.

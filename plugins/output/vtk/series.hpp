@@ -3,10 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "breccia/archive.hpp"
+#include "breccia/views.hpp"
 
 class vtkPolyData;
 
@@ -16,12 +18,17 @@ namespace breccia::vtk_output {
 /// collection is renewed after each frame, so that an interrupted run can be read.
 class Series {
  public:
-  Series(std::filesystem::path directory, std::string name);
+  /// `shared`: by several ranks, of which the first alone may write or remove more than its own piece.
+  Series(std::filesystem::path directory, std::string name, bool shared);
 
   /// Writes one frame and lists it. Frames of an earlier run in the same folder that lie before `time` [s] of the first
   /// frame stay listed (a resumed run), others are dropped. UserError, naming the file, when the disk refuses.
   void append(vtkPolyData* data, double time);
-  /// What is read leads to a folder in which frames were written after the checkpoint: these are removed.
+  /// The same of all ranks together: each writes its piece, `NAME_000000_0.vtp` and so on, and when these are whole the
+  /// first writes `NAME_000000.pvtp`, which the collection lists.
+  void append_piece(vtkPolyData* data, const SimulationView& view);
+  /// What is read leads to a folder in which frames were written after the checkpoint: these are removed, of a shared
+  /// series before the next one is written.
   void archive(Archive& archive);
 
  private:
@@ -34,13 +41,18 @@ class Series {
     }
   };
   void resume(double time);
+  void begin(double time);
+  void cut_back();
   void write_collection() const;
-  std::string file_name(std::size_t number) const;
+  void write_pieces(vtkPolyData* data, int count) const;
+  std::string frame_name(std::size_t number) const;
+  std::string piece_name(std::size_t number, int piece) const;
+  std::optional<std::size_t> number_of(const std::string& file) const;
 
   std::filesystem::path directory_;
   std::string name_;
   std::vector<Entry> entries_;
-  bool started_ = false;
+  bool started_ = false, shared_, behind_ = false;  ///< there may be frames behind the last entry
 };
 
 }  // namespace breccia::vtk_output

@@ -8,6 +8,11 @@
 #include "series.hpp"
 
 namespace breccia {
+namespace {
+
+enum class Pieces { one, ranks };
+
+}  // namespace
 
 class VtkOutput final : public Output {
  public:
@@ -15,6 +20,7 @@ class VtkOutput final : public Output {
     double interval;
     vtk_output::Precision precision;
     bool bonds, cracks, walls;
+    Pieces pieces;
   };
 
   static void describe(Schema<Config>& s) {
@@ -36,6 +42,12 @@ class VtkOutput final : public Output {
         .fallback(true)
         .doc("write what broke so far, a point for each crack, where there are bonds");
     s.param("walls", &Config::walls).fallback(true).doc("write the walls");
+    s.param("pieces", &Config::pieces)
+        .choice("one", Pieces::one, "a file a frame, written by the first rank: the same for any number of ranks")
+        .choice("ranks", Pieces::ranks,
+                "each rank of a job writes its part beside the others, and the first a .pvtp file that joins them")
+        .doc("of a specimen that several ranks share")
+        .fallback("one");
   }
 
   explicit VtkOutput(const Config& config) : config_(config) {}
@@ -44,24 +56,30 @@ class VtkOutput final : public Output {
     std::error_code error;
     std::filesystem::create_directories(directory, error);
     if (error) throw UserError("output vtk: cannot make the folder " + directory.string() + ": " + error.message());
-    particles_.emplace(directory, "particles");
-    bonds_.emplace(directory, "bonds");
-    cracks_.emplace(directory, "cracks");
-    walls_.emplace(directory, "walls");
+    particles_.emplace(directory, "particles", sees_parts());
+    bonds_.emplace(directory, "bonds", sees_parts());
+    cracks_.emplace(directory, "cracks", sees_parts());
+    walls_.emplace(directory, "walls", sees_parts());
     specimen_.reset();
   }
 
   void frame(const SimulationView& view, std::span<const Field> fields) override {
     BRECCIA_ASSERT(particles_.has_value());
     // The walls keep the size of the first frame, however far fragments fly.
-    if (!specimen_) specimen_ = vtk_output::bounds_of(view.particles);
-    particles_->append(vtk_output::particle_data(view, fields, config_.precision), view.time);
-    if (config_.bonds) bonds_->append(vtk_output::bond_data(view, fields, config_.precision), view.time);
-    if (config_.cracks && view.bonds.size() > 0)
-      cracks_->append(vtk_output::crack_data(view, config_.precision), view.time);
-    if (config_.walls && !view.walls.empty()) walls_->append(vtk_output::wall_data(view, *specimen_), view.time);
+    if (!specimen_) specimen_ = vtk_output::bounds_of(view);
+    const auto append = [&](vtk_output::Series& to, vtkPolyData* data) {
+      if (sees_parts()) to.append_piece(data, view);
+      else to.append(data, view.time);
+    };
+    append(*particles_, vtk_output::particle_data(view, fields, config_.precision));
+    if (config_.bonds) append(*bonds_, vtk_output::bond_data(view, fields, config_.precision, sees_parts()));
+    if (config_.cracks && view.max(double(view.bonds.size())) > 0)
+      append(*cracks_, vtk_output::crack_data(view, config_.precision));
+    if (config_.walls && !view.walls.empty() && (!view.part || view.part->number == 0))
+      walls_->append(vtk_output::wall_data(view, *specimen_), view.time);
   }
 
+  bool sees_parts() const override { return config_.pieces == Pieces::ranks; }
   double interval() const override { return config_.interval; }
   bool archive(Archive& archive) override {
     archive("particles", *particles_);

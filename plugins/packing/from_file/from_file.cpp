@@ -19,7 +19,8 @@ class FromFile final : public Packing {
   };
 
   static void describe(Schema<Config>& s) {
-    s.summary("Spheres or discs read from a .csv table or a .vtp file").details(sphere_file::form_of_files);
+    s.summary("Spheres or discs read from a .csv table, a .vtp file or a .pvtp file")
+        .details(sphere_file::form_of_files);
     sphere_file::describe(s);
     s.param("outline", &Config::outline)
         .choice("cylinder", Filled::cylinder, "a cylinder along `axis`; in three dimensions")
@@ -46,7 +47,7 @@ class FromFile final : public Packing {
 
   explicit FromFile(const Config& config) : config_(config) {}
 
-  std::vector<std::filesystem::path> inputs() const override { return {config_.file}; }
+  std::vector<std::filesystem::path> inputs() const override { return sphere_file::inputs(config_); }
 
   std::string why_not(const PackingRequest& request) const override {
     const bool flat = request.dimension == 2;
@@ -56,7 +57,7 @@ class FromFile final : public Packing {
       return "a disc has two dimensions: write `outline: cylinder` or `outline: sphere`, or add `dimension: 2` to the "
              "workflow";
     if (flat && config_.axis == AxisName::z) return "in two dimensions the axis must be x or y";
-    if (!config_.period && has_ending(config_.file, ".vtp")) return {};  // the file may say it
+    if (!config_.period && sphere_file::is_vtk(config_.file)) return {};  // the file may say it
     for (std::size_t k = 0; k < 3; ++k) {
       const bool given = config_.period && k < config_.period->size() && (*config_.period)[k] > 0;
       if (request.periodic[k] == given) continue;

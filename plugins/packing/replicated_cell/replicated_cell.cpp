@@ -74,7 +74,7 @@ class ReplicatedCell final : public Packing {
 
   explicit ReplicatedCell(const Config& config) : config_(config) {}
 
-  std::vector<std::filesystem::path> inputs() const override { return {config_.file}; }
+  std::vector<std::filesystem::path> inputs() const override { return sphere_file::inputs(config_); }
   bool can_repeat() const override { return true; }
 
   std::string why_not(const PackingRequest& request) const override {

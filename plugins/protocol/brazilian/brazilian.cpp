@@ -84,6 +84,8 @@ class Brazilian final : public Protocol {
       low = std::min(low, at - r);
       high = std::max(high, at + r);
     }
+    low = -view.max(-low);
+    high = view.max(high);
     diameter_ = high - low;
     thickness_ = flat ? view.thickness : shape.height;
     const Vec3 middle = shape.base + (flat ? 0.0 : 0.5 * shape.height) * shape.axis,

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-#include "../../shared/checked_vtp_reader.hpp"
+#include "../../shared/frame_pieces.hpp"
 #include "breccia/error.hpp"
 
 namespace breccia::pictures {
@@ -77,8 +77,10 @@ RunResults find_results(const fs::path& source) {
   if (!fs::exists(source)) throw UserError("renderer pictures: " + source.string() + " does not exist");
   std::vector<fs::path> frames;
   if (source.extension() == ".pvd") frames = read_collection(source);
-  else if (source.extension() == ".vtp") frames = {source};
-  else throw UserError("renderer pictures: " + source.string() + " is neither a result folder nor a .pvd or .vtp file");
+  else if (source.extension() == ".vtp" || source.extension() == ".pvtp") frames = {source};
+  else
+    throw UserError("renderer pictures: " + source.string() +
+                    " is neither a result folder nor a .pvd, .vtp or .pvtp file");
   const auto first = read_frame(frames.front());
   const bool bonds = first->GetCellData()->HasArray("break_position");
   (bonds ? r.bond_frames : r.particle_frames) = frames;
@@ -86,7 +88,7 @@ RunResults find_results(const fs::path& source) {
 }
 
 vtkSmartPointer<vtkPolyData> read_frame(const fs::path& file) {
-  const auto frame = vtk::read_vtp(file);
+  const auto frame = vtk::read_frame(file);
   if (!frame)
     throw UserError("renderer pictures: cannot read " + file.string() +
                     ": it is missing, damaged, or no VTK poly data");

@@ -21,7 +21,8 @@ struct RunResults {
   std::vector<std::filesystem::path> tables;  ///< by name
 };
 
-/// `source` is a result folder, or one .pvd or .vtp file of particles or bonds. UserError when it is none of these.
+/// `source` is a result folder, or one .pvd, .vtp or .pvtp file of particles or bonds. UserError when it is none of
+/// these.
 RunResults find_results(const std::filesystem::path& source);
 
 /// UserError, naming the file, when it is missing or damaged.

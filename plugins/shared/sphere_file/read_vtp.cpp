@@ -4,7 +4,7 @@
 #include <vtkPointData.h>
 #include <vtkStringArray.h>
 
-#include "../checked_vtp_reader.hpp"
+#include "../frame_pieces.hpp"
 #include "breccia/text_file.hpp"
 #include "spheres.hpp"
 
@@ -12,7 +12,7 @@ namespace breccia::sphere_file {
 
 Spheres read_vtp(const std::filesystem::path& file) {
   (void)read_bytes(file, 1);  // its words for a file that is not there or may not be read
-  const vtkSmartPointer<vtkPolyData> data = vtk::read_vtp(file);
+  const vtkSmartPointer<vtkPolyData> data = vtk::read_frame(file);
   if (!data) throw UserError("cannot read the packing file " + file.string() + ": it is damaged, or no VTK poly data");
 
   vtkDataArray* radius = data->GetPointData()->GetArray("radius");
@@ -34,5 +34,7 @@ Spheres read_vtp(const std::filesystem::path& file) {
   }
   return spheres;
 }
+
+std::vector<std::filesystem::path> pieces_of(const std::filesystem::path& file) { return vtk::pieces_of(file); }
 
 }  // namespace breccia::sphere_file

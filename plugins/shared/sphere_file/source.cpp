@@ -31,8 +31,8 @@ double metres(LengthUnit unit) {
 }  // namespace
 
 void check(const Source& source, Issues& issues) {
-  const bool csv = has_ending(source.file, ".csv"), vtp = has_ending(source.file, ".vtp");
-  if (!csv && !vtp) issues.push_back({"file", source.file.string() + " is neither a .csv nor a .vtp file"});
+  const bool csv = has_ending(source.file, ".csv"), vtp = is_vtk(source.file);
+  if (!csv && !vtp) issues.push_back({"file", source.file.string() + " is neither a .csv nor a .vtp or .pvtp file"});
 #ifndef BRECCIA_HAS_VTK
   if (vtp)
     issues.push_back({"file", "this build reads .csv files only, because it was made without VTK; convert the file"});
@@ -46,10 +46,19 @@ void check(const Source& source, Issues& issues) {
 
 Spheres read(const Source& source, bool needs_z) {
 #ifdef BRECCIA_HAS_VTK
-  if (has_ending(source.file, ".vtp")) return read_vtp(source.file);
+  if (is_vtk(source.file)) return read_vtp(source.file);
 #endif
   BRECCIA_ASSERT(source.length_unit.has_value());
   return read_csv(source.file, metres(*source.length_unit), needs_z);
+}
+
+std::vector<std::filesystem::path> inputs(const Source& source) {
+  std::vector<std::filesystem::path> files{source.file};
+#ifdef BRECCIA_HAS_VTK
+  if (has_ending(source.file, ".pvtp"))
+    for (const std::filesystem::path& piece : pieces_of(source.file)) files.push_back(piece);
+#endif
+  return files;
 }
 
 Vec3 period_of(const Source& source, const Spheres& spheres) {

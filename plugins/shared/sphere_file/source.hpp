@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "breccia/packing.hpp"
+#include "breccia/text_file.hpp"
 #include "spheres.hpp"
 
 namespace breccia::sphere_file {
@@ -21,8 +22,8 @@ struct Source {
 inline constexpr const char* form_of_files =
     "CSV: the first line names the columns `x`, `y`, `z` and `radius` in any order, separated by commas, semicolons or "
     "tabs; `#` starts a comment; other columns of numbers are kept for `material_of`. VTP: points in metres and a "
-    "point "
-    "array `radius` in metres, such as a frame of the output `vtk`. In two dimensions z is zero, and the column may be "
+    "point array `radius` in metres, such as a frame of the output `vtk`, or a PVTP file that joins such. In two "
+    "dimensions z is zero, and the column may be "
     "missing.";
 
 void check(const Source& source, Issues& issues);
@@ -30,7 +31,7 @@ void check(const Source& source, Issues& issues);
 /// Declares its parameters, for a configuration that inherits them.
 template <class Config>
 void describe(Schema<Config>& s) {
-  s.param("file", &Source::file).example("specimen.csv").doc("the .csv or .vtp file");
+  s.param("file", &Source::file).example("specimen.csv").doc("the .csv, .vtp or .pvtp file");
   s.param("length_unit", &Source::length_unit)
       .choice("m", LengthUnit::metre, "metre")
       .choice("cm", LengthUnit::centimetre, "centimetre")
@@ -49,6 +50,11 @@ void describe(Schema<Config>& s) {
           "with `periodic` says so itself");
   s.check([](const Config& c, Issues& issues) { check(c, issues); });
 }
+
+/// Whether it is one of VTK's, which say themselves what they hold.
+inline bool is_vtk(const std::filesystem::path& file) { return has_ending(file, ".vtp") || has_ending(file, ".pvtp"); }
+/// The file, and those that it joins.
+std::vector<std::filesystem::path> inputs(const Source& source);
 
 /// UserError with the line for what is no sphere. `needs_z`: in three dimensions.
 Spheres read(const Source& source, bool needs_z);

@@ -33,5 +33,7 @@ Spheres read_csv(const std::filesystem::path& file, double unit, bool needs_z);
 /// Points in metres with the point array `radius` in metres: a frame of the output `vtk`, for example, which also says
 /// what the specimen was and how it repeated itself.
 Spheres read_vtp(const std::filesystem::path& file);
+/// Of a .pvtp file the files that it joins.
+std::vector<std::filesystem::path> pieces_of(const std::filesystem::path& file);
 
 }  // namespace breccia::sphere_file

@@ -39,14 +39,14 @@ class PressureConfinement final : public Confinement {
  public:
   explicit PressureConfinement(PressureArea rule, double jacket_pressure = 0) : rule_(rule), jacket_(jacket_pressure) {}
   bool any() const override { return true; }
-  void setup(const SpecimenShape& shape, const SimulationView& view, LoadControl&, double) override {
+  void setup(const SpecimenShape& shape, const SimulationView& view, LoadControl& control, double) override {
     refuse_no_sides(view);
     if (shape.outline != SpecimenShape::Outline::cylinder && shape.outline != SpecimenShape::Outline::box)
       throw UserError(
           "protocol: lateral pressure needs a cylinder, a box or a rectangle: choose such a container (with the "
           "packing "
           "from_file such an `outline`)");
-    surface_.emplace(shape, view, rule_);
+    surface_.emplace(shape, control.particles(), view, rule_);
     if (surface_->particles() == 0)
       throw UserError("protocol: no particle is seen on the lateral surface of the specimen");
   }

@@ -27,9 +27,9 @@ void describe_pressure_area(Schema<Config>& s, PressureArea Config::*member) {
 
 class LateralPressure {
  public:
-  LateralPressure(const SpecimenShape& shape, const SimulationView& view, PressureArea rule)
-      : surface_(shape, view.particles, view.dimension, view.thickness), rule_(rule) {
-    surface_.measure(view.particles, 0, shape.height);
+  LateralPressure(const SpecimenShape& shape, const ParticlesView& particles, const Space& space, PressureArea rule)
+      : surface_(shape, particles, space.dimension, space.thickness), rule_(rule) {
+    surface_.measure(particles, 0, shape.height);
   }
 
   /// Each step; heights of the two ends above the specimen's base [m]. The surface is measured every `interval` steps.
