@@ -34,7 +34,8 @@ class Pictures final : public Renderer {
   static void describe(Schema<Config>& s) {
     s.summary("Pictures for papers: specimen, inside, cracks, displacements and curves")
         .details(
-            "Reads `particles.pvd`, `bonds.pvd` and `curves.csv` of a result folder, or one .pvd, .vtp or .pvtp file, and "
+            "Reads `particles.pvd`, `bonds.pvd` and `curves.csv` of a result folder, or one .pvd, .vtp or .pvtp file, "
+            "and "
             "draws "
             "on the processor: neither a display nor a graphics card is needed. A picture whose data are missing is "
             "skipped with a warning; the others are made.")
