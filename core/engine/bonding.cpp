@@ -10,6 +10,7 @@
 #include "breccia/images.hpp"
 #include "engine/cell_motion.hpp"
 #include "engine/exact_sum.hpp"
+#include "engine/parts.hpp"
 
 namespace breccia {
 namespace {

@@ -4,9 +4,11 @@
 
 #include <optional>
 
-#include "engine/parts.hpp"
+#include "model/state.hpp"
 
 namespace breccia {
+
+class Parts;
 
 /// By which of its gaps a pair counts as near.
 enum class GapMeasure {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "engine/migration.hpp"
 #include "run/run_ranks.hpp"
 
 namespace breccia {
@@ -122,19 +123,17 @@ std::vector<Field> FrameFields::dealt(const std::vector<Field>& of_whole) {
     const OwnRows own = own_rows(part, f.on);
     const std::size_t n = std::size_t(f.components);
     const std::vector<std::size_t> counts = link->numbers_of_all(own.size());
-    std::vector<std::vector<std::byte>> to(counts.size());
+    std::vector<std::vector<double>> to(counts.size());
     if (link->first()) {
-      std::size_t at = 0;
+      auto at = of_whole[k].values.begin();
       for (std::size_t r = 0; r < counts.size(); ++r) {
-        const auto bytes = std::as_bytes(std::span(of_whole[k].values).subspan(at * n, counts[r] * n));
-        to[r].assign(bytes.begin(), bytes.end());
-        at += counts[r];
+        to[r].assign(at, at + std::ptrdiff_t(counts[r] * n));
+        at += std::ptrdiff_t(counts[r] * n);
       }
     }
-    const auto from = link->exchange(to);
+    const std::vector<double> from = sent(*link, to);
     f.values.assign(all_rows(part, f.on) * n, 0.0);
-    std::copy(from.front().begin(), from.front().end(),
-              reinterpret_cast<std::byte*>(f.values.data() + own.first() * n));
+    std::copy(from.begin(), from.end(), f.values.begin() + std::ptrdiff_t(own.first() * n));
     mine.push_back(std::move(f));
   }
   return mine;
