@@ -57,7 +57,7 @@ MadeSimulation sorted(const MadeSimulation& simulation) {
 }
 
 std::array<MadeSimulation, 2> halves(const MadeSimulation& whole) {
-  const Index n = Index(whole.position.size()), middle = n / 2;
+  const Index n = Index(whole.position.size()), middle = n / 2 / Index(made_block) * Index(made_block);
   std::array<MadeSimulation, 2> parts;
   for (int half = 0; half < 2; ++half) {
     const Index first = half == 0 ? 0 : middle, behind = half == 0 ? middle : n;

@@ -9,6 +9,8 @@
 namespace breccia {
 
 /// Owns what the spans of a SimulationView point to.
+constexpr std::size_t made_block = 16;  ///< particles that never come apart: there are not many
+
 struct MadeSimulation {
   int dimension = 3;
   double thickness = 1;
@@ -120,6 +122,7 @@ struct MadeSimulation {
     v.specimen = specimen;
     v.energy = energy;
     v.part = part;
+    v.block = made_block;
     return v;
   }
 };

@@ -10,10 +10,6 @@
 
 namespace breccia {
 
-/// Grain of the sums over particles, and of what may be dealt to threads or machines: a cut between blocks changes no
-/// sum.
-inline constexpr std::size_t particle_block = 256;
-
 /// A pair belongs to its lower particle. The chunks of a block of particles are its own: they begin anew with each
 /// block, whatever stands before it.
 struct Chunks {

@@ -177,9 +177,13 @@ struct PartOfSpecimen {
   int number = 0, count = 1;        ///< of this part, from 0 on; how many there are
 };
 
+inline constexpr std::size_t particle_block = 256;  ///< of the engine
+
 /// What one may ask over the whole specimen, of which this shows all or a part.
 struct SeenInPart {
   std::optional<PartOfSpecimen> part;  ///< none: this is all of it
+  /// So many particles, in the order of their rows, never come apart: parts are made of such blocks. See `BlockSum`.
+  std::size_t block = particle_block;
 
   /// Over the whole specimen, of terms that each part has added for what counts in it: the same bits for any number of
   /// parts. Several in one go cost one message:

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "breccia/block_sum.hpp"
+
 namespace breccia {
 
 DirectionBin& DirectionBin::operator+=(const DirectionBin& o) {
@@ -22,15 +24,18 @@ double axial_stress(const SimulationView& view) {
   const ParticlesView& p = view.particles;
   const Vec3& axis = view.specimen.axis;
   const auto part = [&](const Vec3& arm, const Vec3& force) { return arm.dot(axis) * force.dot(axis); };
-  ExactSumOf<double> sum;
+  BlockSum<double> of_pairs(view), of_boundary(view);
   for (const std::size_t k : view.own_pairs()) {
     const PairForce& f = view.pairs.force[k];
-    sum.add(part(view.branch(p.position[view.pairs.i[k]], p.position[view.pairs.j[k]]), Vec3(f.fx, f.fy, f.fz)));
+    of_pairs.add(view.pairs.i[k],
+                 part(view.branch(p.position[view.pairs.i[k]], p.position[view.pairs.j[k]]), Vec3(f.fx, f.fy, f.fz)));
   }
-  for (const WallContact& c : view.wall_contacts) sum.add(part(c.point - p.position[c.particle], c.force));
+  ExactSumOf<double> of_walls;
+  for (const WallContact& c : view.wall_contacts) of_walls.add(part(c.point - p.position[c.particle], c.force));
   if (!p.boundary_moment.empty())
-    for (const std::size_t k : view.own_particles()) sum.add(axis.dot(p.boundary_moment[k] * axis));
-  return -view.sum(sum) / view.specimen.volume;
+    for (const std::size_t k : view.own_particles()) of_boundary.add(k, axis.dot(p.boundary_moment[k] * axis));
+  const auto [pairs, walls, boundary] = view.sum(of_pairs.exact(), of_walls, of_boundary.exact());
+  return -(pairs + walls + boundary) / view.specimen.volume;
 }
 
 std::vector<DirectionBin> by_direction(const SimulationView& view, std::size_t bins, double area_factor,

@@ -7,6 +7,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "breccia/block_sum.hpp"
+
 namespace breccia {
 namespace {
 
@@ -89,9 +91,9 @@ Fragments find_fragments(const SimulationView& view) {
   }
   Linked linked(view.all(links));
   // Masses as whole numbers: sums of them are the same however they are parted.
-  ExactSumOf<double> mass;
-  for (const std::size_t p : own) mass.add(particles.mass[p]);
-  const double total = view.sum(mass), unit = total > 0 ? std::scalbn(1.0, std::ilogb(total) - 60) : 1;
+  BlockSum<double> mass(view);
+  for (const std::size_t p : own) mass.add(p, particles.mass[p]);
+  const double total = view.sum(mass.exact()), unit = total > 0 ? std::scalbn(1.0, std::ilogb(total) - 60) : 1;
   std::unordered_map<Index, Piece> here;
   for (const std::size_t p : own) {
     const Index lowest = linked.lowest(first[sets.root(Index(p))]);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "breccia/block_sum.hpp"
 #include "breccia/postprocessor.hpp"
 
 namespace breccia {
@@ -34,19 +35,21 @@ struct Fabric {
 
 class Directions {
  public:
-  void add(const Vec3& branch) {
+  explicit Directions(const SimulationView& view) : view_(view), tensor_(view), count_(view) {}
+  void add(std::size_t lower_particle, const Vec3& branch) {
     const Vec3 n = branch.normalized();
-    tensor_.add(n * n.transpose());
-    count_.add(1);
+    tensor_.add(lower_particle, n * n.transpose());
+    count_.add(lower_particle, 1);
   }
-  Fabric of(const SimulationView& view) const {
-    const auto [tensor, count] = view.sum(tensor_, count_);
+  Fabric all() {
+    const auto [tensor, count] = view_.sum(tensor_.exact(), count_.exact());
     return {count > 0 ? Mat3(tensor / double(count)) : tensor, count};
   }
 
  private:
-  ExactSumOf<Mat3> tensor_;
-  ExactSumOf<std::size_t> count_;
+  const SimulationView& view_;
+  BlockSum<Mat3> tensor_;
+  BlockSum<std::size_t> count_;
 };
 
 Json json(const Mat3& m) {
@@ -141,18 +144,19 @@ class FabricTensor final : public Postprocessor {
 
  private:
   static Fabric initial(const SimulationView& view) {
-    Directions d;
-    for (const std::size_t b : view.own_bonds()) d.add(view.initial_branch(view.bonds.i[b], view.bonds.j[b]));
-    return d.of(view);
+    Directions d(view);
+    for (const std::size_t b : view.own_bonds())
+      d.add(view.bonds.i[b], view.initial_branch(view.bonds.i[b], view.bonds.j[b]));
+    return d.all();
   }
   Fabric present(const SimulationView& view) const {
-    Directions d;
+    Directions d(view);
     const auto& x = view.particles.position;
     const PairsView& pairs = view.pairs;
     for (const std::size_t k : view.own_pairs())
       if (config_.of == Of::bonds ? pairs.state[k] == BondState::intact : touches(pairs.force[k]))
-        d.add(view.branch(x[pairs.i[k]], x[pairs.j[k]]));
-    return d.of(view);
+        d.add(pairs.i[k], view.branch(x[pairs.i[k]], x[pairs.j[k]]));
+    return d.all();
   }
 
   Config config_;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "breccia/block_sum.hpp"
 #include "breccia/postprocessor.hpp"
 
 namespace breccia {
@@ -107,15 +108,18 @@ class Stress final : public Postprocessor {
   /// compression pushes against the branch vector, hence negative.
   static Mat3 average(const SimulationView& view) {
     const auto& x = view.particles.position;
-    ExactSumOf<Mat3> sum;
+    BlockSum<Mat3> of_pairs(view), of_boundary(view);
     for (const std::size_t k : view.own_pairs()) {
       const PairForce& f = view.pairs.force[k];
-      sum.add(view.branch(x[view.pairs.i[k]], x[view.pairs.j[k]]) * Vec3(f.fx, f.fy, f.fz).transpose());
+      of_pairs.add(view.pairs.i[k],
+                   view.branch(x[view.pairs.i[k]], x[view.pairs.j[k]]) * Vec3(f.fx, f.fy, f.fz).transpose());
     }
-    for (const WallContact& c : view.wall_contacts) sum.add((c.point - x[c.particle]) * c.force.transpose());
+    ExactSumOf<Mat3> of_walls;
+    for (const WallContact& c : view.wall_contacts) of_walls.add((c.point - x[c.particle]) * c.force.transpose());
     if (const auto moment = view.particles.boundary_moment; !moment.empty())
-      for (const std::size_t k : view.own_particles()) sum.add(moment[k]);
-    return view.sum(sum) / view.specimen.volume;
+      for (const std::size_t k : view.own_particles()) of_boundary.add(k, moment[k]);
+    const auto [pairs, walls, boundary] = view.sum(of_pairs.exact(), of_walls, of_boundary.exact());
+    return (pairs + walls + boundary) / view.specimen.volume;
   }
 
   /// Over the volume of each particle: sum over its contacts of (contact point - centre) (x) force. Of copies in a part
