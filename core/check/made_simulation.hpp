@@ -8,9 +8,9 @@
 
 namespace breccia {
 
-/// Owns what the spans of a SimulationView point to.
 constexpr std::size_t made_block = 16;  ///< particles that never come apart: there are not many
 
+/// Owns what the spans of a SimulationView point to.
 struct MadeSimulation {
   int dimension = 3;
   double thickness = 1;
