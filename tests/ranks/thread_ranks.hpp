@@ -59,8 +59,7 @@ class ThreadLink final : public RankLink {
       if (everywhere || first()) to += size;
     });
   }
-  std::vector<std::vector<std::byte>> exchange(const std::vector<std::vector<std::byte>>& to,
-                                               std::size_t) override {
+  std::vector<std::vector<std::byte>> exchange(const std::vector<std::vector<std::byte>>& to, std::size_t) override {
     std::vector<std::vector<std::byte>> from;
     share(&to, [&](const void* other) {
       from.push_back((*static_cast<const std::vector<std::vector<std::byte>>*>(other))[std::size_t(rank_)]);
