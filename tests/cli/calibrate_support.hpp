@@ -123,9 +123,12 @@ renderers: []
   std::map<fs::path, fs::file_time_type> finished(const std::string& folder) const {
     std::map<fs::path, fs::file_time_type> all;
     std::error_code none;
-    for (const auto& entry : fs::directory_iterator(folder_ / folder / "cases", none))
-      if (has(content(entry.path() / "case.json"), "\"status\": \"finished\""))
-        all[entry.path() / "summary.json"] = fs::last_write_time(entry.path() / "summary.json");
+    for (const auto& entry : fs::directory_iterator(folder_ / folder / "cases", none)) {
+      if (!has(content(entry.path() / "case.json"), "\"status\": \"finished\"")) continue;
+      std::error_code comes_yet;  // files of a run that ends are moved to their place one by one
+      const auto since = fs::last_write_time(entry.path() / "summary.json", comes_yet);
+      if (!comes_yet) all[entry.path() / "summary.json"] = since;
+    }
     return all;
   }
 
