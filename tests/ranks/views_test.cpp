@@ -53,8 +53,11 @@ Measured measured(RankLink* link) {
   Posts all = posts(others.first());
   Measured m;
   SilentHost host;
-  const SimulationView before = b->view();
-  for (auto& p : all) p.call("beginning", [&](Postprocessor& q) { q.begin(before, m.curves, host); });
+  {
+    StepViews before(*b.simulation, others);
+    for (auto& p : all)
+      p.show(before, "beginning", [&](Postprocessor& q, const SimulationView& view) { q.begin(view, m.curves, host); });
+  }
   b->prepare();
   b->set_wall_velocity(low, Vec3(0, 0, 4));
   b->set_wall_velocity(high, Vec3(0, 0, -4));
