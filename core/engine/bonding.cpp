@@ -110,7 +110,7 @@ double gap_at(const Specimen& all, std::vector<double> gaps, std::size_t before)
 void refuse_too_many(const State& s, const Specimen& all, const BondingResult& rule) {
   const Particles& p = s.particles;
   constexpr std::size_t most = 350;  // bonds a particle; within five times the sum of the radii there are about 300
-  if (p.size() <= 2 * most) return;
+  if (all.particles() <= 2 * most) return;
   const bool relative = rule.measure == GapMeasure::relative;
   struct Enough {};
   std::size_t count = 0;

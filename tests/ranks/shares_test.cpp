@@ -79,6 +79,12 @@ TEST(Shares, AreBondedAsTheWhole) {
     }
 }
 
+/// Of 2900 particles the ranks own two or three blocks, 512 or 768 particles: what one of them asks all of them ask.
+TEST(Shares, OfUnequalSizeAskForTheSame) {
+  const BondingRule rule{GapMeasure::relative, 0.15, std::nullopt};
+  EXPECT_EQ(bonded(1, rule, false, 29).i, bonded(5, rule, false, 29).i);
+}
+
 TEST(Shares, HaveCopiesOfNeighboursAndNoMore) {
   const Bonded many = bonded(4, {GapMeasure::relative, 0.15, std::nullopt}, false, 100);
   ASSERT_EQ(many.held.size(), 4u);
