@@ -4,23 +4,12 @@
 #include <algorithm>
 #include <numeric>
 
+#include "engine/rows_of_state.hpp"
+
 namespace breccia {
 namespace {
 
 constexpr Index none = 0xffffffffu;
-
-template <class T>
-void pick(std::vector<T>& of, const std::vector<Index>& rows) {
-  std::vector<T> kept;
-  for (const Index k : rows) kept.push_back(of[k]);
-  of.swap(kept);
-}
-
-std::vector<Index> places(const std::vector<Index>& rows, std::size_t size) {
-  std::vector<Index> to(size, none);
-  for (Index k = 0; k < rows.size(); ++k) to[rows[k]] = k;
-  return to;
-}
 
 void rename(std::vector<Index>& of, const std::vector<Index>& to) {
   for (Index& k : of)
@@ -29,7 +18,7 @@ void rename(std::vector<Index>& of, const std::vector<Index>& to) {
 
 /// Of pairs and bonds those rows, in that order.
 void keep(MadeSimulation& s, const std::vector<Index>& pairs, const std::vector<Index>& bonds) {
-  const std::vector<Index> pair_at = places(pairs, s.pair_i.size()), bond_at = places(bonds, s.bond_i.size());
+  const std::vector<Index> pair_at = inverse(pairs, s.pair_i.size()), bond_at = inverse(bonds, s.bond_i.size());
   for (auto* of : {&s.pair_i, &s.pair_j, &s.pair_bond}) pick(*of, pairs);
   pick(s.rest_length, pairs);
   pick(s.pair_state, pairs);
@@ -78,7 +67,7 @@ std::array<MadeSimulation, 2> halves(const MadeSimulation& whole) {
     std::vector<Index> rows;
     for (Index a = 0; a < n; ++a)
       if (wanted[a]) rows.push_back(a);
-    const std::vector<Index> here = places(rows, n);
+    const std::vector<Index> here = inverse(rows, n);
     keep(s, pairs, bonds);
     for (auto* of : {&s.pair_i, &s.pair_j, &s.bond_i, &s.bond_j}) rename(*of, here);
     for (auto* of : {&s.position, &s.reference, &s.velocity, &s.spin, &s.resultant, &s.torque, &s.applied_force})

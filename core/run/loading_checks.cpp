@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "breccia/block_sum.hpp"
 #include "run/checks.hpp"
 
 namespace breccia {
@@ -98,8 +99,8 @@ void LoadingChecks::look_for_overlaps(const SimulationView& part) {
   for (const WallContact& c : part.wall_contacts)
     wall_overlap_[c.wall] =
         std::max(wall_overlap_[c.wall], 1 - (c.point - p.position[c.particle]).norm() / p.radius[c.particle]);
-  ExactSumOf<double> sum;
-  ExactSumOf<std::size_t> pressed;
+  BlockSum<double> sum(part);
+  BlockSum<std::size_t> pressed(part);
   double deepest = 0;
   for (const std::size_t k : part.own_pairs()) {
     if (part.pairs.state[k] == BondState::intact) continue;
@@ -107,8 +108,8 @@ void LoadingChecks::look_for_overlaps(const SimulationView& part) {
     const double overlap =
         (part.pairs.rest_length[k] - part.branch(p.position[i], p.position[j]).norm()) / (p.radius[i] + p.radius[j]);
     if (overlap <= 0) continue;
-    sum.add(overlap);
-    pressed.add(1);
+    sum.add(i, overlap);
+    pressed.add(i, 1);
     deepest = std::max(deepest, overlap);
   }
   std::vector<double> most = wall_overlap_;
@@ -119,7 +120,7 @@ void LoadingChecks::look_for_overlaps(const SimulationView& part) {
   wall_overlap_.swap(most);
   if (deepest <= pair_overlap_) return;
   pair_overlap_ = deepest;
-  const auto [all, count] = part.sum(sum, pressed);
+  const auto [all, count] = part.sum(sum.exact(), pressed.exact());
   pair_mean_ = all / double(count);
 }
 
