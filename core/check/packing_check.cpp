@@ -8,6 +8,7 @@
 #include "check/attempt.hpp"
 #include "check/check.hpp"
 #include "check/example.hpp"
+#include "check/made_parts.hpp"
 #include "check/names.hpp"
 #include "check/packing_cases.hpp"
 #include "check/packing_measures.hpp"
@@ -114,6 +115,7 @@ class PackingCheck {
     radii(packed, m);
     report(packed, m);
     again(packed, m);
+    in_shares(packed);
     cancelled(seconds, packed.radius.size());
     ranges();
   }
@@ -293,6 +295,35 @@ class PackingCheck {
       see("another seed", m.orderly,
           m.orderly ? "an arrangement without chance: the same for any seed" : "the same packing",
           "`PackingRequest::seed` has no part in it: give it to the random numbers");
+  }
+
+  /// As two ranks of a job would make it.
+  void in_shares(const PackedParticles& packed) {
+    if (!registry_.create<Packing>(case_->choice)->makes_shares()) return;
+    PackedParticles shares[2];
+    TwoParts makers;
+    std::string fault = attempt([&] {
+                          makers.together([&](int number, OtherParts& others) {
+                            PackingRequest request = case_->request;
+                            request.share.part = {&others, {}, {}, {}, number, 2};
+                            PackingHost host(user_);
+                            shares[number] = registry_.create<Packing>(case_->choice)->generate(request, host);
+                          });
+                        }).text;
+    if (fault.empty()) {
+      PackedParticles joined = shares[0];
+      const auto append = [](auto& to, const auto& more) { to.insert(to.end(), more.begin(), more.end()); };
+      append(joined.position, shares[1].position);
+      append(joined.radius, shares[1].radius);
+      for (std::size_t c = 0; c < std::min(joined.columns.size(), shares[1].columns.size()); ++c)
+        append(joined.columns[c].second, shares[1].columns[c].second);
+      if (!same_packing(packed, joined)) fault = "joined they are another packing";
+      for (const PackedParticles& share : shares)
+        if (!same_report(packed, share)) fault = "a share has another report, outline, axis, volume or period";
+    }
+    see("in two shares", fault, "the same bits",
+        "it says that ranks may make it in shares (`makes_shares`): make what `PackingRequest::share_of` gives, in the "
+        "same order, and put together what is measured by `share.sum`, `share.max` or `share.all`");
   }
 
   /// A packing that is stopped before it begins. One that has not asked may do so where there is more to do.

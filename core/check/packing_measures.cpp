@@ -95,4 +95,12 @@ bool same_packing(const PackedParticles& a, const PackedParticles& b) {
   return same_bytes(a.radius, b.radius) && same_bytes(a.position, b.position) && a.columns == b.columns;
 }
 
+bool same_report(const PackedParticles& a, const PackedParticles& b) {
+  const auto same = [](const AskedGot& x, const AskedGot& y) {
+    return x.name == y.name && x.unit == y.unit && x.asked == y.asked && x.got == y.got;
+  };
+  return a.outline == b.outline && a.axis == b.axis && a.container_volume == b.container_volume &&
+         a.period == b.period && std::equal(a.report.begin(), a.report.end(), b.report.begin(), b.report.end(), same);
+}
+
 }  // namespace breccia

@@ -28,5 +28,6 @@ PackingMeasures measure_packing(const PackedParticles& packed, const PackingRequ
 std::optional<double> measured_as(const std::string& name, const PackedParticles& packed, const PackingMeasures& m);
 
 bool same_packing(const PackedParticles& a, const PackedParticles& b);  ///< bit by bit
+bool same_report(const PackedParticles& a, const PackedParticles& b);   ///< and what else is no list
 
 }  // namespace breccia

@@ -23,14 +23,11 @@ struct Materials {
   Materials(double density) : list{{density}} {}  ///< one for all
 };
 
-/// Particles of the packing, Morton-ordered so that neighbours are near in memory; masses of spheres, or of discs of
+/// Particles of the packing, in Morton order so that neighbours are near in memory; masses of spheres, or of discs of
 /// the given thickness in two dimensions (held in the plane z = 0). UserError for an empty packing, a value that is
-/// not finite or a radius that is not positive. `link`: of the packing, which all ranks have, this rank's share; null
-/// where there is but one.
+/// not finite or a radius that is not positive. `link`: each rank has a piece of the packing and of `of_particle`, one
+/// behind the other in the order of the ranks, and gets its share of the rows; null where there is but one.
 State assemble(const PackedParticles& packing, const Materials& materials, int dimension, double thickness,
                RankLink* link = nullptr);
-
-/// Order of the points along a Morton curve: result[k] is the k-th point. Ties keep their order.
-std::vector<Index> morton_order(Strided<const Vec3> points);
 
 }  // namespace breccia

@@ -56,22 +56,43 @@ void add_block(State& state, const std::byte* block) {
 
 }  // namespace
 
-std::string sha256(std::span<const std::byte> bytes) {
-  // The first 32 bits of the fractional parts of the square roots of the first eight primes.
-  State state = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
-  const std::size_t whole = bytes.size() / 64 * 64, rest = bytes.size() - whole;
-  for (std::size_t at = 0; at < whole; at += 64) add_block(state, bytes.data() + at);
+void Sha256::add(std::span<const std::byte> bytes) {
+  const auto take = [&](std::size_t count) {
+    std::copy_n(bytes.begin(), count, rest_.begin() + std::ptrdiff_t(size_ % 64));
+    bytes = bytes.subspan(count);
+    size_ += count;
+  };
+  if (size_ % 64) {
+    take(std::min(bytes.size(), std::size_t(64 - size_ % 64)));
+    if (size_ % 64) return;
+    add_block(state_, rest_.data());
+  }
+  const std::size_t whole = bytes.size() / 64 * 64;
+  for (std::size_t at = 0; at < whole; at += 64) add_block(state_, bytes.data() + at);
+  size_ += whole;
+  bytes = bytes.subspan(whole);
+  take(bytes.size());
+}
+
+std::string Sha256::hex() const {
+  State state = state_;
+  const std::size_t rest = size_ % 64;
   // Padding: a one bit, zeros, and the length in bits as a 64-bit big-endian number.
   std::array<std::byte, 128> tail{};
-  std::copy_n(bytes.begin() + std::ptrdiff_t(whole), rest, tail.begin());
+  std::copy_n(rest_.begin(), rest, tail.begin());
   tail[rest] = std::byte{0x80};
   const std::size_t length = rest < 56 ? 64 : 128;
-  for (std::size_t k = 0; k < 8; ++k)
-    tail[length - 1 - k] = std::byte(std::uint64_t(bytes.size()) * 8 >> (8 * k) & 0xff);
+  for (std::size_t k = 0; k < 8; ++k) tail[length - 1 - k] = std::byte(size_ * 8 >> (8 * k) & 0xff);
   for (std::size_t at = 0; at < length; at += 64) add_block(state, tail.data() + at);
   std::string hex;
   for (const std::uint32_t word : state) hex += fmt::format("{:08x}", word);
   return hex;
+}
+
+std::string sha256(std::span<const std::byte> bytes) {
+  Sha256 all;
+  all.add(bytes);
+  return all.hex();
 }
 
 }  // namespace breccia

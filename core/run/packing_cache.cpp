@@ -13,9 +13,11 @@
 #include "breccia/atomic_file.hpp"
 #include "breccia/text_file.hpp"
 #include "config/places.hpp"
+#include "engine/meeting_parts.hpp"
 #include "hash/sha256.hpp"
 #include "plugin/guarded.hpp"
 #include "results/file_lock.hpp"
+#include "run/run_ranks.hpp"
 #include "run/warning_log.hpp"
 
 namespace breccia {
@@ -72,11 +74,22 @@ PackedParticles from_json(const Json& j) {
   return p;
 }
 
-std::string content_hash(const PackedParticles& p) {
-  std::vector<double> flat;
-  for (std::size_t k = 0; k < p.position.size(); ++k)
-    flat.insert(flat.end(), {p.position[k].x(), p.position[k].y(), p.position[k].z(), p.radius[k]});
-  return sha256(std::as_bytes(std::span(flat)));
+/// Of what the ranks have, one behind the other.
+std::string content_hash(const PackedParticles& p, const RunRanks& ranks) {
+  constexpr std::size_t at_once = 4096;
+  return ranks
+      .one_after_the_other(
+          Sha256(),
+          [&](Sha256& hash) {
+            std::vector<double> flat;
+            for (std::size_t k = 0; k < p.position.size(); ++k) {
+              flat.insert(flat.end(), {p.position[k].x(), p.position[k].y(), p.position[k].z(), p.radius[k]});
+              if (flat.size() < 4 * at_once && k + 1 < p.position.size()) continue;
+              hash.add(std::as_bytes(std::span(flat)));
+              flat.clear();
+            }
+          })
+      .hex();
 }
 
 /// CBOR keeps every bit of a number and is quick; the hash of the body in front tells a damaged file.
@@ -162,10 +175,16 @@ void refuse_what_cannot_be(const Packing& packing, const std::string& type, cons
     throw AtPath("packing", "packing " + type + ": it cannot fill a space that repeats itself (`periodic`)");
 }
 
-PackingOutcome obtain_packing(const Registry& registry, const PluginChoice& choice, const PackingRequest& request,
-                              const fs::path& cache_folder, Host& host) {
-  const auto packing = registry.create<Packing>(choice);
-  refuse_what_cannot_be(*packing, choice.type, request);
+namespace {
+
+/// By one process: from the cache, where it is there.
+void make_or_read(Packing& packing, const Registry& registry, const PluginChoice& choice, const PackingRequest& request,
+                  const fs::path& cache_folder, Host& host, PackingOutcome& outcome) {
+  const PluginId id{Packing::kind, choice.type};
+  const auto make = [&](Host& to) {
+    calling(id, "making the packing", [&] { outcome.particles = packing.generate(request, to); });
+  };
+  if (cache_folder.empty()) return make(host);
   Json key = {{"plugin", registry.info(Packing::kind, choice.type).sha256()},
               {"type", choice.type},
               {"config", choice.config},
@@ -173,14 +192,10 @@ PackingOutcome obtain_packing(const Registry& registry, const PluginChoice& choi
               {"dimension", request.dimension},
               {"thickness", request.thickness}};
   if (request.repeats()) key["periodic"] = request.periodic;
-  const PluginId id{Packing::kind, choice.type};
-  for (const fs::path& input : calling(id, "naming its files", [&] { return packing->inputs(); }))
+  for (const fs::path& input : calling(id, "naming its files", [&] { return packing.inputs(); }))
     key["inputs"].push_back(sha256(read_bytes(input)));
-  const fs::path file =
-      cache_folder.empty() ? fs::path() : cache_folder / "packings" / (sha256(key_text(key)) + ".cbor");
-  PackingOutcome outcome;
+  const fs::path file = cache_folder / "packings" / (sha256(key_text(key)) + ".cbor");
   const auto look = [&] {
-    if (file.empty()) return;
     if (auto cached = read_cached(file, host)) {
       outcome.particles = std::move(*cached);
       outcome.from_cache = true;
@@ -188,20 +203,38 @@ PackingOutcome obtain_packing(const Registry& registry, const PluginChoice& choi
   };
   look();
   std::optional<FileLock> turn;
-  if (!outcome.from_cache && !file.empty()) {
+  if (!outcome.from_cache) {
     if (auto now = turn_for(file, host)) turn.emplace(std::move(*now));
     look();  // it may have been made meanwhile
   }
-  if (!outcome.from_cache) {
-    WarningLog<Host> log(host);
-    calling(id, "making the packing", [&] { outcome.particles = packing->generate(request, log); });
-    if (!file.empty() && !outcome.particles.position.empty())
-      write_cached(file, outcome.particles, log.warnings(), host);
-  }
-  for (std::size_t k = 0; k < 3; ++k)
-    if (request.periodic[k] != (outcome.particles.period[int(k)] > 0))
-      throw UserError("packing " + choice.type + ": it does not repeat itself along the directions of `periodic`");
-  outcome.hash = content_hash(outcome.particles);
+  if (outcome.from_cache) return;
+  WarningLog<Host> log(host);
+  make(log);
+  if (!outcome.particles.position.empty()) write_cached(file, outcome.particles, log.warnings(), host);
+}
+
+}  // namespace
+
+PackingOutcome obtain_packing(const Registry& registry, const PluginChoice& choice, const PackingRequest& asked,
+                              const fs::path& cache_folder, Host& host, RankLink* link) {
+  const RunRanks ranks(link);
+  const auto packing = registry.create<Packing>(choice);
+  refuse_what_cannot_be(*packing, choice.type, asked);
+  PackingOutcome outcome;
+  PackedParticles& particles = outcome.particles;
+  MeetingParts others(link);
+  outcome.in_pieces = ranks.several() && packing->makes_shares();
+  others.together([&] {
+    const fs::path kept = packing->makes_shares() ? fs::path() : cache_folder;
+    PackingRequest request = asked;
+    if (outcome.in_pieces) request.share.part = {&others, {}, {}, {}, link->rank(), link->ranks()};
+    if (outcome.in_pieces || ranks.first()) make_or_read(*packing, registry, choice, request, kept, host, outcome);
+    for (std::size_t k = 0; k < 3 && (outcome.in_pieces || ranks.first()); ++k)
+      if (request.periodic[k] != (particles.period[int(k)] > 0))
+        throw UserError("packing " + choice.type + ": it does not repeat itself along the directions of `periodic`");
+  });
+  outcome.count = std::size_t(ranks.sum(std::int64_t(particles.radius.size())));
+  outcome.hash = content_hash(particles, ranks);
   return outcome;
 }
 

@@ -21,6 +21,29 @@ class RunRanks {
   /// The first rank's text, or numbers, on all of them.
   std::string told(const std::string& text) const { return told_to_all(text); }
   std::vector<double> told(const std::vector<double>& numbers) const { return told_to_all(numbers); }
+  std::int64_t sum(std::int64_t number) const {
+    if (link_) link_->add({&number, 1});
+    return number;
+  }
+  /// What `f(value)` makes of it on each rank in turn, each from what the one before has left.
+  template <class T, class F>
+  T one_after_the_other(T value, F&& f) const {
+    static_assert(std::is_trivially_copyable_v<T>);
+    if (!link_) {
+      f(value);
+      return value;
+    }
+    std::vector<std::size_t> whose(std::size_t(link_->ranks()), 0);
+    for (std::size_t r = 0; r < whose.size(); ++r) {
+      if (r == std::size_t(link_->rank())) f(value);
+      T left = value;
+      whose[r] = 1;
+      link_->gather(&value, whose, sizeof(T), &left, true);
+      whose[r] = 0;
+      value = left;
+    }
+    return value;
+  }
   /// Of each number the largest of all ranks.
   void largest(std::span<double> numbers) const {
     if (link_) link_->largest(numbers);

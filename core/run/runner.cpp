@@ -13,6 +13,7 @@
 #include "run/checks.hpp"
 #include "run/columns.hpp"
 #include "run/one_run.hpp"
+#include "run/packing_parts.hpp"
 #include "run/provenance.hpp"
 #include "run/run_summary.hpp"
 #include "run/threads.hpp"
@@ -52,8 +53,9 @@ void OneRun::create_plugins() {
 
 void OneRun::build() {
   const int dimension = int(w_.dimension);
-  packing_ = obtain_packing(registry_, w_.packing, w_.packing_request(), options_.packing_cache, monitor_);
-  monitor_.info(fmt::format("packing `{}`: {} particles{}", w_.packing.type, packing_.particles.position.size(),
+  packing_ =
+      obtain_packing(registry_, w_.packing, w_.packing_request(), options_.packing_cache, monitor_, ranks_.link());
+  monitor_.info(fmt::format("packing `{}`: {} particles{}", w_.packing.type, packing_.count,
                             packing_.from_cache ? " (kept from an earlier run)" : ""));
   memory_is_for(packing_.particles.position.size(), 0);
   for (const AskedGot& line : packing_.particles.report) monitor_.info(asked_got_text(line));
@@ -61,6 +63,7 @@ void OneRun::build() {
     refuse_changes(options_.resume->about, provenance_of(w_, registry_, packing_.hash), options_.accept_changed_plugins,
                    monitor_);
   resolve();
+  const Materials materials = deal_packing(packing_, w_, ranks_.link());
   if (w_.from)
     branch_.emplace(Beginner{w_, places_, about_.resolved, config_["provenance"], packing_.particles, registry_,
                              options_.accept_changed_plugins},
@@ -68,10 +71,9 @@ void OneRun::build() {
   laws_->within([&] {
     EngineSettings settings = w_.engine_settings(monitor_.threads());
     settings.link = ranks_.link();
-    simulation_ = std::make_unique<Simulation>(
-        assemble(packing_.particles, w_.materials_of(packing_.particles), dimension, w_.thickness, ranks_.link()),
-        laws_->interactions(), settings);
-    if (!ranks_.first()) packing_.particles = {};  // this rank's share of it stands in the simulation
+    simulation_ =
+        std::make_unique<Simulation>(assemble(packing_.particles, materials, dimension, w_.thickness, ranks_.link()),
+                                     laws_->interactions(), settings);
     bonding_ = simulation_->bond(w_.bonding.rule());
   });
   memory_is_for(simulation_->state().particles.size(), simulation_->state().bonds.size());

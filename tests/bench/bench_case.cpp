@@ -49,11 +49,10 @@ PackedParticles copied(const PackedParticles& one, const Json& config, const Cop
   all.position.clear();
   all.radius.clear();
   for (auto& column : all.columns) column.second.clear();
-  for_each_copy({{}, {copies[0], copies[1], copies[2]}},
-                Vec3(edge[0].get<double>(), edge[1].get<double>(), edge[2].get<double>()), [&](const Vec3& shift) {
-                  append_moved(
-                      one, shift, [](const Vec3&) { return true; }, all);
-                });
+  const CopyNumbers numbers{{}, {copies[0], copies[1], copies[2]}};
+  const Vec3 edges(edge[0].get<double>(), edge[1].get<double>(), edge[2].get<double>());
+  for (std::size_t c = 0; c < numbers.all(); ++c)
+    for (std::size_t k = 0; k < one.radius.size(); ++k) append_moved(one, k, shift_of(numbers.of(c), edges), all);
   all.container_volume *= double(copies[0] * copies[1] * copies[2]);
   return all;
 }

@@ -73,7 +73,9 @@ TEST(KindMistakes, OfPackings) {
                     {"half", "FAILED  shape of the specimen"},
                     {"deaf", "FAILED  cancellation"},
                     {"stubborn", "FAILED  cancellation"},
-                    {"exception", "FAILED  numbers for all that the ranges allow"}});
+                    {"exception", "FAILED  numbers for all that the ranges allow"},
+                    {"shares", "FAILED  in two shares"},
+                    {"measures", "FAILED  in two shares"}});
 }
 
 TEST(KindMistakes, OfProtocols) {

@@ -23,4 +23,20 @@ TEST(Sha256, EveryLengthAroundABlockDiffers) {
   for (std::size_t n = 50; n < 135; ++n) EXPECT_TRUE(seen.insert(hash_of(std::string(n, '\0'))).second) << n;
 }
 
+TEST(Sha256, PieceByPieceIsTheWhole) {
+  std::string text;
+  for (int k = 0; k < 300; ++k) text += char(k * 7);
+  for (std::size_t first = 0; first < 140; ++first)
+    for (const std::size_t second :
+         {std::size_t(0), std::size_t(1), std::size_t(63), std::size_t(64), std::size_t(130)}) {
+      Sha256 hash;
+      std::size_t at = 0;
+      for (const std::size_t size : {first, second, text.size() - first - second}) {
+        hash.add(std::as_bytes(std::span(text)).subspan(at, size));
+        at += size;
+      }
+      EXPECT_EQ(hash.hex(), hash_of(text)) << first << ", " << second;
+    }
+}
+
 }  // namespace breccia

@@ -174,6 +174,39 @@ TEST_F(Ranks, NothingIsBroughtTogetherForWhoSeesParts) {
   expect_same_results(folder_ / "with_statistics", folder_ / "on_3_with_statistics");
 }
 
+/// Packings that ranks make in shares, or that one makes for all, and materials that are given out by the whole.
+TEST_F(Ranks, PackingsAreTheSameHoweverManyMakeThem) {
+  const std::string head = "material_of: {", test = std::string(brittle) +
+                                                    "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, "
+                                                    "platen_stiffness: 15 MN/m, max_strain: 0.05 %}\n"
+                                                    "postprocessors: [{type: stress}]\n"
+                                                    "bonding: {tolerance: 0.01}\ncheckpoints: {every_steps: 20}\n"
+                                                    "materials: {quartz: {density: 2650 kg/m3}, mica: {density: 2800 "
+                                                    "kg/m3}}\n";
+  const std::string lattice =
+      "packing: {type: regular, lattice: fcc, container: {shape: cylinder, diameter: 20 mm, height: 40 mm}, radius: 1 "
+      "mm}\n";
+  const std::string discs =
+      "packing: {type: collective_rearrangement, container: {shape: cylinder, diameter: 20 mm, height: 30 mm}, "
+      "radius: {distribution: uniform, min: 0.8 mm, max: 1.2 mm}, porosity: 0.42}\n";
+  const std::pair<std::string, std::string> cases[] = {
+      {lattice, "layers: {thicknesses: [3 mm, 2 mm], materials: [quartz, mica], dip: 20 deg, dip_direction: 0 deg}}\n"},
+      {lattice, "shares: {quartz: 70 %, mica: 30 %}}\n"},
+      {discs, "grains: {size: 6 mm, shares: {quartz: 0.5, mica: 0.5}}}\n"}};
+  int number = 0;
+  for (const auto& [packing, way] : cases) {
+    const std::string name = "case_" + std::to_string(++number);
+    write("w.yaml", packing + head + way + test);
+    const Result one = call("run w.yaml --threads 1 --output " + name + "_one");
+    ASSERT_EQ(one.code, 0) << one.text;
+    for (const int ranks : {2, 3}) {
+      const Result many = call("run w.yaml --threads 1 --output " + name + "_" + std::to_string(ranks), on(ranks));
+      ASSERT_EQ(many.code, 0) << many.text;
+      expect_same_results(folder_ / (name + "_one"), folder_ / (name + "_" + std::to_string(ranks)));
+    }
+  }
+}
+
 /// Of frames in pieces the readers make what one file holds.
 TEST_F(Ranks, PiecesAreTheOneFile) {
   write_many_spheres();

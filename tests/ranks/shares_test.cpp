@@ -12,6 +12,17 @@
 namespace breccia::testing {
 namespace {
 
+/// Of a packing what one of the ranks has: of three the first nothing, the second a third.
+PackedParticles piece_of(PackedParticles packing, RankLink* link) {
+  if (!link) return packing;
+  const std::size_t n = packing.radius.size(), most = std::size_t(link->ranks() * (link->ranks() - 1)),
+                    r = std::size_t(link->rank());
+  const auto from = [&](std::size_t rank) { return std::ptrdiff_t(n * (rank * (rank - 1)) / most); };
+  packing.position = {packing.position.begin() + from(r), packing.position.begin() + from(r + 1)};
+  packing.radius = {packing.radius.begin() + from(r), packing.radius.begin() + from(r + 1)};
+  return packing;
+}
+
 struct Bonded {
   std::vector<Index> i, j, id;
   std::vector<double> distance, radius;
@@ -31,7 +42,7 @@ Bonded bonded(int ranks, const BondingRule& rule, bool periodic, int height = 16
     const auto law = make_law(elastic_brittle({}), "elastic_brittle");
     EngineSettings settings;
     settings.link = link;
-    Simulation s(assemble(packing, {2650}, 3, 1.0, link), *law, settings);
+    Simulation s(assemble(piece_of(packing, link), {2650}, 3, 1.0, link), *law, settings);
     const BondingResult result = s.bond(rule);
     {
       const std::lock_guard lock(guard);
@@ -91,6 +102,46 @@ TEST(Shares, HaveCopiesOfNeighboursAndNoMore) {
   for (const std::size_t held : many.held) EXPECT_LT(held, 10000u * 2 / 5) << "far more than a quarter stands here";
 }
 
+/// Many in the same cell of the curve, and in one place: those that come first in the packing come first.
+TEST(Shares, HaveTheOrderOfTheWhole) {
+  PackedParticles packing;
+  for (int k = 0; k < 6000; ++k) {
+    packing.position.push_back(1e-3 * Vec3((k * 37) % 11, (k * 53) % 3, 1e-9 * ((k * 71) % 17)));
+    packing.radius.push_back(1e-3 + 1e-8 * k);
+  }
+  packing.outline = SpecimenShape::Outline::box;
+  const State whole = assemble(packing, {2650}, 3, 1.0);
+  for (const int ranks : {2, 3, 5, 8}) {
+    std::mutex guard;
+    std::vector<std::vector<Index>> id(std::size_t(ranks), std::vector<Index>());
+    on_ranks(ranks, [&](RankLink* link) {
+      const State part = assemble(piece_of(packing, link), {2650}, 3, 1.0, link);
+      EXPECT_EQ(part.specimen.volume, whole.specimen.volume);
+      EXPECT_EQ(part.particles.row.front(), even_shares(packing.radius.size(), ranks)[std::size_t(link->rank())]);
+      const std::lock_guard lock(guard);
+      id[std::size_t(link->rank())] = part.particles.id;
+    });
+    std::vector<Index> joined;
+    for (const auto& part : id) joined.insert(joined.end(), part.begin(), part.end());
+    EXPECT_EQ(joined, whole.particles.id) << ranks;
+  }
+}
+
+TEST(Shares, OfABadParticleAreRefusedByAll) {
+  PackedParticles packing = random_block(10, 10, 16, 1e-3, 11);
+  packing.radius[700] = -1;
+  std::atomic<int> refused = 0;
+  on_ranks(3, [&](RankLink* link) {
+    try {
+      (void)assemble(piece_of(packing, link), {2650}, 3, 1.0, link);
+    } catch (const UserError& e) {
+      EXPECT_NE(std::string(e.what()).find("particle 700 of the packing"), std::string::npos) << e.what();
+      ++refused;
+    }
+  });
+  EXPECT_EQ(refused, 3);
+}
+
 TEST(Shares, OfACoincidentPairAreRefusedByAll) {
   PackedParticles packing = random_block(10, 10, 16, 1e-3, 11);
   packing.position[7] = packing.position[8];
@@ -99,7 +150,7 @@ TEST(Shares, OfACoincidentPairAreRefusedByAll) {
     const auto law = make_law(elastic_brittle({}), "elastic_brittle");
     EngineSettings settings;
     settings.link = link;
-    Simulation s(assemble(packing, {2650}, 3, 1.0, link), *law, settings);
+    Simulation s(assemble(piece_of(packing, link), {2650}, 3, 1.0, link), *law, settings);
     EXPECT_THROW(s.bond({GapMeasure::relative, 0.1, std::nullopt}), UserError);
     ++refused;
   });

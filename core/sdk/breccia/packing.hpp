@@ -21,6 +21,17 @@ struct PackingRequest : Space {
   std::uint64_t seed = 1;
   std::array<bool, 3> periodic{};  ///< along x, y, z: the packing says after which length it repeats itself there
   bool repeats() const { return periodic[0] || periodic[1] || periodic[2]; }
+
+  /// What is to be made: all of it, or one of several shares (`Packing::makes_shares`), whose makers put together by
+  /// `share.sum`, `share.max` and `share.all` what is measured of the whole.
+  SeenInPart share;
+  /// Of so many things in a row (cells of a lattice, copies) those that belong to this share.
+  OwnRows share_of(std::size_t all) const {
+    const std::size_t number = share.part ? std::size_t(share.part->number) : 0,
+                      count = share.part ? std::size_t(share.part->count) : 1;
+    return {all / count * number + all % count * number / count,
+            all / count * (number + 1) + all % count * (number + 1) / count};
+  }
 };
 
 struct PackedParticles {
@@ -43,6 +54,10 @@ class BRECCIA_API Packing : public Plugin {
   virtual std::string why_not(const PackingRequest&) const { return {}; }
   /// Whether it can fill a space that repeats itself; without that nobody asks it to.
   virtual bool can_repeat() const { return false; }
+  /// Whether several ranks may make it together, each its share (`PackingRequest::share`), so that none has the whole.
+  /// The shares one behind the other are the packing, bit for bit, for any number of them; all else (`axis`, `report`,
+  /// ...) is that of the whole in each. Without that one rank makes it and deals it out.
+  virtual bool makes_shares() const { return false; }
   /// The same request and configuration must give the same bits for any number of threads.
   virtual PackedParticles generate(const PackingRequest& request, Host& host) = 0;
   /// Files the result depends on besides the configuration: they enter the cache key.

@@ -95,6 +95,7 @@ class Regular final : public Packing {
   }
 
   bool can_repeat() const override { return true; }
+  bool makes_shares() const override { return true; }
 
   PackedParticles generate(const PackingRequest& request, Host&) override {
     const Container asked = config_.container.make(request.dimension),
@@ -104,7 +105,7 @@ class Regular final : public Packing {
     const Vec3 first = origin(container, r), edge = spacing * cell.size;
     const double sites =
         container.measure() / (request.dimension == 2 ? edge.x() * edge.y() : edge.prod()) * double(cell.sites.size());
-    if (sites > 50e6) throw UserError("this lattice has more than 50 million particles: use a larger radius");
+    if (sites > 400e6) throw UserError("this lattice has more than 400 million particles: use a larger radius");
     PackedParticles packed;
     // From the first site the container reaches no farther than its own size either way.
     long low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
@@ -116,13 +117,16 @@ class Regular final : public Packing {
       high[k] = std::max(1L, std::lround(container.size()[k] / edge[k])) - 1;
       packed.period[k] = double(high[k] + 1) * edge[k];
     }
-    for (long c = low[2]; c <= high[2]; ++c)
-      for (long b = low[1]; b <= high[1]; ++b)
-        for (long a = low[0]; a <= high[0]; ++a)
-          for (const Vec3& site : cell.sites) {
-            const Vec3 x = first + edge.cwiseProduct(Vec3(double(a), double(b), double(c)) + site);
-            if (fits(container, x, r)) packed.position.push_back(x);
-          }
+    long count[3];
+    for (int k = 0; k < 3; ++k) count[k] = high[k] - low[k] + 1;
+    for (const std::size_t row : request.share_of(std::size_t(count[2] * count[1]))) {
+      const long b = low[1] + long(row) % count[1], c = low[2] + long(row) / count[1];
+      for (long a = low[0]; a <= high[0]; ++a)
+        for (const Vec3& site : cell.sites) {
+          const Vec3 x = first + edge.cwiseProduct(Vec3(double(a), double(b), double(c)) + site);
+          if (fits(container, x, r)) packed.position.push_back(x);
+        }
+    }
     packed.radius.assign(packed.position.size(), r);
     packed.outline = container.outline();
     packed.axis = container.axis();
@@ -130,9 +134,10 @@ class Regular final : public Packing {
     for (int k = 0; k < request.dimension; ++k)
       if (packed.period[k] > 0) measure *= packed.period[k] / container.size()[k];
     packed.container_volume = measure * (request.dimension == 2 ? request.thickness : 1.0);
-    const double each = Space{request.dimension}.solid_volume(r);
-    packed.report = {{"particles", "1", std::nullopt, double(packed.radius.size())},
-                     {"porosity", "1", std::nullopt, 1 - each * double(packed.radius.size()) / measure}};
+    ExactSumOf<double> particles;
+    particles.add(double(packed.radius.size()));
+    const double all = request.share.sum(particles), each = Space{request.dimension}.solid_volume(r);
+    packed.report = {{"particles", "1", std::nullopt, all}, {"porosity", "1", std::nullopt, 1 - each * all / measure}};
     for (int k = 0; k < request.dimension; ++k)
       if (packed.period[k] > 0)
         packed.report.push_back({std::string("period_") + "xyz"[k], "m", container.size()[k], packed.period[k]});

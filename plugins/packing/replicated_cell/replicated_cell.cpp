@@ -4,10 +4,8 @@
 
 #include "../../shared/printed.hpp"
 #include "../../shared/sphere_file/source.hpp"
-#include "breccia/packing_tools/fit.hpp"
 #include "breccia/text_file.hpp"
-#include "contacts.hpp"
-#include "placing.hpp"
+#include "copied.hpp"
 #include "seams.hpp"
 
 namespace breccia::replicated_cell {
@@ -16,20 +14,6 @@ namespace {
 
 constexpr double most_particles = 400e6;  // rows of pairs are counted in 32 bits
 constexpr double bytes_each = 2000;       // of a run with some six bonds a particle, as measured
-
-struct Measures {
-  double contacts = 0, max_overlap = 0;
-};
-
-Measures measure(const PackedParticles& p, const Space& space) {
-  Measures m;
-  for_each_contact(space, p.position, p.radius, [&](Index i, Index j, const Vec3& branch) {
-    m.contacts += 1;
-    m.max_overlap = std::max(m.max_overlap, 1 - branch.norm() / (p.radius[i] + p.radius[j]));
-  });
-  m.contacts /= double(p.radius.size());
-  return m;
-}
 
 }  // namespace
 
@@ -76,6 +60,7 @@ class ReplicatedCell final : public Packing {
 
   std::vector<std::filesystem::path> inputs() const override { return sphere_file::inputs(config_); }
   bool can_repeat() const override { return true; }
+  bool makes_shares() const override { return true; }
 
   std::string why_not(const PackingRequest& request) const override {
     const bool flat = request.dimension == 2;
@@ -108,8 +93,10 @@ class ReplicatedCell final : public Packing {
     if (const std::string fault = fault_at_seams(as_read, of_cell, seams); !fault.empty())
       throw UserError(file + " is no cell that can be put beside itself: " + fault);
 
-    PackedParticles all = copied(cell, period, place, host);
-    if (all.radius.empty()) throw UserError("no particle has its centre in what is cut out: `cut` is too small");
+    const Copied copies(cell, of_cell, place, request);
+    PackedParticles all = copies.particles(host);
+    const CellMeasures got = copies.measure(host);
+    if (got.particles == 0) throw UserError("no particle has its centre in what is cut out: `cut` is too small");
     for (int k = 0; k < request.dimension; ++k)
       if (request.periodic[std::size_t(k)]) all.period[k] = place.size[k];
     all.outline = place.cut ? place.cut->outline() : SpecimenShape::Outline::box;
@@ -117,7 +104,7 @@ class ReplicatedCell final : public Packing {
                : request.dimension == 2 ? Container::rectangle(place.size.x(), place.size.y()).axis()
                                         : Container::box(place.size.x(), place.size.y(), place.size.z()).axis();
     if (place.measure) all.container_volume = *place.measure * (request.dimension == 2 ? request.thickness : 1.0);
-    report(cell, of_cell, place, request, all);
+    report(copies.cell_alone(), got, of_cell, place, request, all);
     return all;
   }
 
@@ -161,52 +148,25 @@ class ReplicatedCell final : public Packing {
     if (in_all > 1e6) host.info("packing replicated_cell: " + what);
   }
 
-  static PackedParticles copied(const PackedParticles& cell, const Vec3& period, const Placing& place, Host& host) {
-    PackedParticles all;
-    for (const auto& column : cell.columns) all.columns.push_back({column.first, {}});
-    if (!place.cut) {
-      const auto size = std::size_t(place.copies_in_all()) * cell.radius.size();
-      all.position.reserve(size);
-      all.radius.reserve(size);
-    }
-    const auto keep = [&](const Vec3& x) {
-      if (!place.cut) return true;
-      Container::Walls walls;
-      const std::size_t n = place.cut->walls(x, walls);
-      return std::all_of(walls.begin(), walls.begin() + n, [](const WallDistance& w) { return w.distance >= 0; });
-    };
-    for_each_copy(place.copies, period, [&](const Vec3& shift) {
-      if (host.cancelled()) throw Cancelled();
-      append_moved(cell, shift, keep, all);
-    });
-    return all;
-  }
-
   /// Asked for is what the cell has.
-  void report(const PackedParticles& cell, const Space& of_cell, const Placing& place, const PackingRequest& request,
-              PackedParticles& all) const {
-    Space space = request;
-    space.cell = Cell::box(all.period);
-    const Measures one = measure(cell, of_cell), got = measure(all, space);
-    const auto &r = cell.radius, &s = all.radius;
-    all.report = {{"particles", "1", {}, double(s.size())}, {"cell_particles", "1", {}, double(r.size())}};
+  static void report(const CellMeasures& cell, const CellMeasures& got, const Space& of_cell, const Placing& place,
+                     const PackingRequest& request, PackedParticles& all) {
+    all.report = {{"particles", "1", {}, got.particles}, {"cell_particles", "1", {}, cell.particles}};
     for (std::size_t k = 0; k < std::size_t(request.dimension); ++k)
       all.report.push_back({std::string("copies_") + "xyz"[k], "1", {}, double(place.copies.count[k])});
     if (place.measure) {
       double of_one = 1;
       for (int k = 0; k < request.dimension; ++k) of_one *= of_cell.cell.vectors()(k, k);
-      all.report.push_back({"porosity", "1",
-                            of_one > 0 ? std::optional(1 - solid_measure(r, request.dimension) / of_one) : std::nullopt,
-                            1 - solid_measure(s, request.dimension) / *place.measure});
+      all.report.push_back({"porosity", "1", of_one > 0 ? std::optional(1 - cell.solid / of_one) : std::nullopt,
+                            1 - got.solid / *place.measure});
     }
-    all.report.insert(
-        all.report.end(),
-        {{"contacts_per_particle", "1", one.contacts, got.contacts},
-         {"max_overlap", "1", one.max_overlap, got.max_overlap},
-         {"radius_mean", "m", detail::mean_of(r), detail::mean_of(s)},
-         {"radius_standard_deviation", "m", detail::deviation_of(r), detail::deviation_of(s)},
-         {"radius_min", "m", *std::min_element(r.begin(), r.end()), *std::min_element(s.begin(), s.end())},
-         {"radius_max", "m", *std::max_element(r.begin(), r.end()), *std::max_element(s.begin(), s.end())}});
+    all.report.insert(all.report.end(),
+                      {{"contacts_per_particle", "1", cell.contacts, got.contacts},
+                       {"max_overlap", "1", cell.max_overlap, got.max_overlap},
+                       {"radius_mean", "m", cell.radius_mean, got.radius_mean},
+                       {"radius_standard_deviation", "m", cell.radius_deviation, got.radius_deviation},
+                       {"radius_min", "m", cell.radius_min, got.radius_min},
+                       {"radius_max", "m", cell.radius_max, got.radius_max}});
     for (int k = 0; k < request.dimension; ++k)
       if (all.period[k] > 0)
         all.report.push_back({std::string("period_") + "xyz"[k], "m",
