@@ -210,7 +210,10 @@ void make_or_read(Packing& packing, const Registry& registry, const PluginChoice
   if (outcome.from_cache) return;
   WarningLog<Host> log(host);
   make(log);
-  if (!outcome.particles.position.empty()) write_cached(file, outcome.particles, log.warnings(), host);
+  const std::size_t count = outcome.particles.radius.size();
+  // What may be made in shares is made as quickly as it would be read: large ones need no place on the disk.
+  if (count > 0 && (count <= 1000000 || !packing.makes_shares()))
+    write_cached(file, outcome.particles, log.warnings(), host);
 }
 
 }  // namespace
@@ -225,10 +228,10 @@ PackingOutcome obtain_packing(const Registry& registry, const PluginChoice& choi
   MeetingParts others(link);
   outcome.in_pieces = ranks.several() && packing->makes_shares();
   others.together([&] {
-    const fs::path kept = packing->makes_shares() ? fs::path() : cache_folder;
     PackingRequest request = asked;
     if (outcome.in_pieces) request.share.part = {&others, {}, {}, {}, link->rank(), link->ranks()};
-    if (outcome.in_pieces || ranks.first()) make_or_read(*packing, registry, choice, request, kept, host, outcome);
+    if (outcome.in_pieces || ranks.first())
+      make_or_read(*packing, registry, choice, request, outcome.in_pieces ? fs::path() : cache_folder, host, outcome);
     for (std::size_t k = 0; k < 3 && (outcome.in_pieces || ranks.first()); ++k)
       if (request.periodic[k] != (particles.period[int(k)] > 0))
         throw UserError("packing " + choice.type + ": it does not repeat itself along the directions of `periodic`");

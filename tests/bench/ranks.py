@@ -3,9 +3,10 @@
 """Ranks against threads: time of a step and memory of each process.
 
     tests/bench/ranks.py --particles 100000 --ways 1x1 1x2 2x1      # ranks x threads, in turn, least of three
+    tests/bench/ranks.py --particles 100000 --ways 1x1 2x1 --weak   # so many particles for each rank
     tests/bench/ranks.py --particles 10000000 --ways 2x1 --strain 2e-6 --repeats 1
 
-One cylinder of spheres on a lattice is pressed between platens; rows of curves are few, so that bringing the specimen
+One box of spheres on a lattice is pressed between platens; rows of curves are few, so that bringing the specimen
 together does not count. Run it on a machine that does nothing else.
 """
 import argparse
@@ -18,7 +19,7 @@ import sys
 import tempfile
 
 WORKFLOW = """packing:
-  {{type: regular, lattice: fcc, container: {{shape: box, size: [{edge} mm, {edge} mm, {edge} mm]}}, radius: 1 mm}}
+  {{type: regular, lattice: fcc, container: {{shape: box, size: [{edge} mm, {edge} mm, {height} mm]}}, radius: 1 mm}}
 material: {{density: 2650 kg/m3}}
 bonding: {{tolerance: 0.01}}
 damping: {{translational: 0.3, rotational: 0.3}}
@@ -42,7 +43,8 @@ def one_rank(folder, command):
 
 
 def run(program, workflow, folder, ranks, threads):
-    """Nanoseconds a bond and step; steps; particles; memory of the first process, and of the largest other [GiB]."""
+    """Milliseconds a step; nanoseconds a bond and step; steps; particles; memory of the first process, and of the
+    largest other [GiB]."""
     for old in folder.parent.glob("memory_*"):
         old.unlink()
     command = [sys.executable, __file__, "--one-rank", str(folder.parent), program, "run", str(workflow),
@@ -55,7 +57,8 @@ def run(program, workflow, folder, ranks, threads):
     memory = {path.name: float(path.read_text()) for path in folder.parent.glob("memory_*")}
     summary = json.loads((folder / "summary.json").read_text())
     first = memory.pop("memory_0")
-    return summary["ns_per_bond_step"], summary["steps"], summary["particles"], first, max(memory.values(), default=0)
+    ns = summary["ns_per_bond_step"]
+    return ns * summary["bonds"] * 1e-6, ns, summary["steps"], summary["particles"], first, max(memory.values(), default=0)
 
 
 def main():
@@ -65,22 +68,24 @@ def main():
     parser.add_argument("--program", default="build/bin/breccia")
     parser.add_argument("--particles", type=float, default=1e5)
     parser.add_argument("--ways", nargs="+", default=["1x1", "1x2", "2x1"], metavar="RANKSxTHREADS")
+    parser.add_argument("--weak", action="store_true", help="so many particles for each rank, in a longer box")
     parser.add_argument("--strain", default="1e-5")
     parser.add_argument("--repeats", type=int, default=3)
     a = parser.parse_args()
     edge = (a.particles * 4 * 2**0.5) ** (1 / 3)  # of a box with so many spheres of 1 mm, packed as closely as can be
     with tempfile.TemporaryDirectory() as name:
         place = pathlib.Path(name)
-        (place / "w.yaml").write_text(WORKFLOW.format(edge=f"{edge:.3f}", strain=a.strain))
         best = {}
         for _ in range(a.repeats):
             for way in a.ways:
                 ranks, threads = map(int, way.split("x"))
+                height = edge * (ranks if a.weak else 1)
+                (place / "w.yaml").write_text(WORKFLOW.format(edge=f"{edge:.3f}", height=f"{height:.3f}", strain=a.strain))
                 found = run(a.program, place / "w.yaml", place / "results", ranks, threads)
                 best[way] = min(best.get(way, found), found)
-        print("ranks x threads | ns a bond and step | steps | particles | GiB of the first | of the largest other")
-        for way, (ns, steps, particles, first, other) in best.items():
-            print(f"{way} | {ns:.2f} | {steps} | {particles} | {first:.2f} | {other:.2f}")
+        print("ranks x threads | ms a step | ns a bond and step | steps | particles | GiB of the first | of the largest other")
+        for way, (ms, ns, steps, particles, first, other) in best.items():
+            print(f"{way} | {ms:.3f} | {ns:.2f} | {steps} | {particles} | {first:.2f} | {other:.2f}")
 
 
 if __name__ == "__main__":

@@ -113,7 +113,7 @@ TEST(Shares, HaveTheOrderOfTheWhole) {
   const State whole = assemble(packing, {2650}, 3, 1.0);
   for (const int ranks : {2, 3, 5, 8}) {
     std::mutex guard;
-    std::vector<std::vector<Index>> id(std::size_t(ranks), std::vector<Index>());
+    std::vector<std::vector<Index>> id{std::size_t(ranks)};
     on_ranks(ranks, [&](RankLink* link) {
       const State part = assemble(piece_of(packing, link), {2650}, 3, 1.0, link);
       EXPECT_EQ(part.specimen.volume, whole.specimen.volume);

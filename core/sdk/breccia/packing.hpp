@@ -24,7 +24,7 @@ struct PackingRequest : Space {
 
   /// What is to be made: all of it, or one of several shares (`Packing::makes_shares`), whose makers put together by
   /// `share.sum`, `share.max` and `share.all` what is measured of the whole.
-  SeenInPart share;
+  SeenInPart share = {};
   /// Of so many things in a row (cells of a lattice, copies) those that belong to this share.
   OwnRows share_of(std::size_t all) const {
     const std::size_t number = share.part ? std::size_t(share.part->number) : 0,

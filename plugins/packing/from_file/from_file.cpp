@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// A packing made elsewhere: a table of spheres, or a frame of an earlier run.
 #include <algorithm>
-#include <numeric>
+#include <array>
 
 #include "../../shared/sphere_file/source.hpp"
 #include "breccia/text_file.hpp"
@@ -68,28 +68,37 @@ class FromFile final : public Packing {
   }
 
   bool can_repeat() const override { return true; }
+  bool makes_shares() const override { return sphere_file::has_shares(config_); }
 
   PackedParticles generate(const PackingRequest& request, Host& host) override {
     const bool flat = request.dimension == 2;
     const AxisName axis = config_.axis.value_or(flat ? AxisName::y : AxisName::z);
 
-    sphere_file::Spheres spheres = sphere_file::read(config_, !flat);
+    sphere_file::Spheres spheres = sphere_file::read(config_, request);
     PackedParticles packed;
     if (request.repeats()) packed.period = period(spheres, request);
     Space space = request;
     space.cell = Cell::box(packed.period);
-    sphere_file::refuse_bad(config_, spheres, space);
+    sphere_file::refuse_bad(config_, spheres, space, request.share);
     for (const std::string& column : spheres.ignored)
       host.info("packing from_file: column `" + column + "` of " + config_.file.string() +
                 " is not used: it is not all numbers");
 
     packed.outline = outline(spheres, flat, host);
     packed.axis = Vec3::Unit(int(axis));
-    const auto& r = spheres.radius;
-    packed.report = {{"particles", "1", {}, double(r.size())},
-                     {"radius_min", "m", {}, *std::min_element(r.begin(), r.end())},
-                     {"radius_mean", "m", {}, std::accumulate(r.begin(), r.end(), 0.0) / double(r.size())},
-                     {"radius_max", "m", {}, *std::max_element(r.begin(), r.end())}};
+    ExactSumOf<double> radii, particles;
+    std::array<double, 2> most{-1e300, -1e300};
+    for (const double r : spheres.radius) {
+      radii.add(r);
+      most = {std::max(most[0], -r), std::max(most[1], r)};
+    }
+    particles.add(double(spheres.radius.size()));
+    const auto [sum, count] = request.share.sum(radii, particles);
+    request.share.max(most);
+    packed.report = {{"particles", "1", {}, count},
+                     {"radius_min", "m", {}, -most[0]},
+                     {"radius_mean", "m", {}, sum / count},
+                     {"radius_max", "m", {}, most[1]}};
     packed.columns = std::move(spheres.columns);
     packed.position = std::move(spheres.position);
     packed.radius = std::move(spheres.radius);

@@ -110,12 +110,14 @@ class ReplicatedCell final : public Packing {
 
  private:
   PackedParticles read(const PackingRequest& request, Vec3& period, Host& host) const {
-    sphere_file::Spheres spheres = sphere_file::read(config_, request.dimension == 3);
+    PackingRequest of_cell = request;
+    of_cell.share = {};  // the cell is small: each has all of it
+    sphere_file::Spheres spheres = sphere_file::read(config_, of_cell);
     period = sphere_file::period_of(config_, spheres);
     if (request.dimension == 2) period.z() = 0;
     Space space = request;
     space.cell = Cell::box(period);
-    sphere_file::refuse_bad(config_, spheres, space);
+    sphere_file::refuse_bad(config_, spheres, space, {});
     for (const std::string& column : spheres.ignored)
       host.info("packing replicated_cell: column `" + column + "` of " + config_.file.string() +
                 " is not used: it is not all numbers");

@@ -4,8 +4,8 @@
 #include <charconv>
 #include <optional>
 
-#include "breccia/text_file.hpp"
 #include "spheres.hpp"
+#include "text_share.hpp"
 
 namespace breccia::sphere_file {
 namespace {
@@ -77,48 +77,80 @@ double number(const std::filesystem::path& file, std::size_t line, const char* c
 
 }  // namespace
 
-Spheres read_csv(const std::filesystem::path& file, double unit, bool needs_z) {
-  const std::string text = read_text_file(file);
-  Spheres spheres;
-  std::optional<Columns> columns;
-  std::vector<std::pair<std::string, std::size_t>> others;
-  std::size_t width = 0, line = 0;
-  char separator = ',';
+namespace {
+
+std::string_view without_comment(std::string_view line) {
+  line = line.substr(0, line.find('#'));
+  return trimmed(line).empty() ? std::string_view() : line;
+}
+
+/// Calls f(content, number) for each line that is not empty, its comment cut off.
+template <class F>
+void for_each_line(const TextShare& share, F&& f) {
+  const std::string_view text = share.text;
+  std::size_t line = share.before;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
-    std::string_view content = std::string_view(text).substr(at, end - at);
-    at = end + 1;
     ++line;
-    content = content.substr(0, content.find('#'));
-    if (trimmed(content).empty()) continue;
-    if (!columns) {
-      for (const char c : {',', ';', '\t'})
-        if (content.find(c) != content.npos) {
-          separator = c;
-          break;
-        }
-      const auto header = cells_of(content, separator);
-      width = header.size();
-      columns = find_columns(file, line, header, needs_z, others);
-      for (const auto& [name, cell] : others) spheres.columns.push_back({name, {}});
-      continue;
+    if (const std::string_view content = without_comment(text.substr(at, end - at)); !content.empty())
+      if (!f(content, line)) return;
+    at = end + 1;
+  }
+}
+
+}  // namespace
+
+Spheres read_csv(const std::filesystem::path& file, double unit, bool needs_z, const PackingRequest& request) {
+  const TextShare share = read_text_share(file, request);
+  // The line that names the columns is the first of all.
+  std::string own_first;
+  std::size_t first_line = 0, teller = 0;
+  for_each_line(share, [&](std::string_view content, std::size_t line) {
+    own_first = content;
+    first_line = line;
+    return false;
+  });
+  const std::string names_line = told_by_first(request.share, own_first, teller);
+  if (names_line.empty())
+    throw UserError(file.string() + " is empty: its first line must name the columns x, y, z and radius");
+  const bool is_here = !request.share.part || std::size_t(request.share.part->number) == teller;
+  char separator = ',';
+  for (const char c : {',', ';', '\t'})
+    if (names_line.find(c) != names_line.npos) {
+      separator = c;
+      break;
     }
+  Spheres spheres;
+  std::vector<std::pair<std::string, std::size_t>> others;
+  const auto header = cells_of(names_line, separator);
+  const std::size_t lines_of_first = std::size_t(request.share.max(is_here ? double(first_line) : 0));
+  const Columns columns = find_columns(file, lines_of_first, header, needs_z, others);
+  for (const auto& [name, cell] : others) spheres.columns.push_back({name, {}});
+
+  for_each_line(share, [&](std::string_view content, std::size_t line) {
+    if (is_here && line == first_line) return true;
     const auto cells = cells_of(content, separator);
-    if (cells.size() != width)
+    if (cells.size() != header.size())
       fail(file, line,
-           std::to_string(cells.size()) + " values, where the first line names " + std::to_string(width) + " columns");
+           std::to_string(cells.size()) + " values, where the first line names " + std::to_string(header.size()) +
+               " columns");
     double value[4] = {0, 0, 0, 0};
     for (std::size_t k = 0; k < names.size(); ++k)
-      if ((*columns)[k]) value[k] = unit * number(file, line, names[k], cells[*(*columns)[k]]);
+      if (columns[k]) value[k] = unit * number(file, line, names[k], cells[*columns[k]]);
     spheres.position.emplace_back(value[0], value[1], value[2]);
     spheres.radius.push_back(value[3]);
     spheres.line.push_back(line);
     for (std::size_t c = 0; c < others.size(); ++c)
       if (const auto other = value_of(cells[others[c].second])) spheres.columns[c].second.push_back(*other);
-  }
-  if (!columns) throw UserError(file.string() + " is empty: its first line must name the columns x, y, z and radius");
+    return true;
+  });
+  // A column counts where all of it, in all shares, is numbers.
+  std::vector<double> missing;
+  for (const auto& column : spheres.columns) missing.push_back(double(spheres.radius.size() - column.second.size()));
+  request.share.max(missing);
+  std::size_t c = 0;
   std::erase_if(spheres.columns, [&](const auto& column) {
-    const bool is_whole = column.second.size() == spheres.radius.size();
+    const bool is_whole = missing[c++] == 0;
     if (!is_whole) spheres.ignored.push_back(column.first);
     return !is_whole;
   });

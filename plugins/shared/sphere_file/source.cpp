@@ -44,12 +44,16 @@ void check(const Source& source, Issues& issues) {
     issues.push_back({"length_unit", "a .vtp file is in metres: leave `length_unit` out"});
 }
 
-Spheres read(const Source& source, bool needs_z) {
+bool has_shares(const Source& source) {
+  return has_ending(source.file, ".csv") && std::filesystem::is_regular_file(source.file);
+}
+
+Spheres read(const Source& source, const PackingRequest& request) {
 #ifdef BRECCIA_HAS_VTK
   if (is_vtk(source.file)) return read_vtp(source.file);
 #endif
   BRECCIA_ASSERT(source.length_unit.has_value());
-  return read_csv(source.file, metres(*source.length_unit), needs_z);
+  return read_csv(source.file, metres(*source.length_unit), request.dimension == 3, request);
 }
 
 std::vector<std::filesystem::path> inputs(const Source& source) {
@@ -78,10 +82,10 @@ Vec3 period_of(const Source& source, const Spheres& spheres) {
   return period;
 }
 
-void refuse_bad(const Source& source, const Spheres& s, const Space& space) {
+void refuse_bad(const Source& source, const Spheres& s, const Space& space, const SeenInPart& share) {
   const bool flat = space.dimension == 2;
-  if (s.radius.empty()) throw UserError(source.file.string() + " holds no particle");
-  double smallest = s.radius[0];
+  if (share.max(double(s.radius.size())) == 0) throw UserError(source.file.string() + " holds no particle");
+  double smallest = largest;
   for (std::size_t k = 0; k < s.radius.size(); ++k) {
     const auto fail = [&](const std::string& text) { throw UserError(s.where(source.file, k) + ": " + text); };
     if (!s.position[k].allFinite()) fail("the centre is not finite");
@@ -97,6 +101,7 @@ void refuse_bad(const Source& source, const Spheres& s, const Space& space) {
     if (flat && s.position[k].z() != 0) fail("z must be 0 in two dimensions");
     smallest = std::min(smallest, s.radius[k]);
   }
+  smallest = -share.max(-smallest);
   // Closer than this, the line of centres (the contact normal) would be rounding noise.
   const double too_close = 1e-6 * smallest;
   for_each_pair_within(space, s.position, too_close, [&](Index i, Index j) {

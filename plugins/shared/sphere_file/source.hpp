@@ -56,13 +56,17 @@ inline bool is_vtk(const std::filesystem::path& file) { return has_ending(file, 
 /// The file, and those that it joins.
 std::vector<std::filesystem::path> inputs(const Source& source);
 
-/// UserError with the line for what is no sphere. `needs_z`: in three dimensions.
-Spheres read(const Source& source, bool needs_z);
+/// Whether ranks can read it together, each its share.
+bool has_shares(const Source& source);
+
+/// UserError with the line for what is no sphere. All of it, or the share that is asked for.
+Spheres read(const Source& source, const PackingRequest& request);
 
 /// After which lengths they repeat themselves, as `period` says or else the file; 0 where they do not [m].
 Vec3 period_of(const Source& source, const Spheres& spheres);
 
-/// UserError for spheres that cannot be reckoned with in this space, or two in one place.
-void refuse_bad(const Source& source, const Spheres& spheres, const Space& space);
+/// UserError for spheres that cannot be reckoned with in this space, or two in one place. Two in different shares are
+/// left to the engine, which looks at all pairs.
+void refuse_bad(const Source& source, const Spheres& spheres, const Space& space, const SeenInPart& share);
 
 }  // namespace breccia::sphere_file

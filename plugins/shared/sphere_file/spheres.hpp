@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "breccia/types.hpp"
+#include "breccia/packing.hpp"
 
 namespace breccia::sphere_file {
 
@@ -27,8 +27,9 @@ struct Spheres {
 };
 
 /// A table with the columns x, y, z and radius in any order, all in one unit of length of `unit` metres. Without
-/// `needs_z` the column z may be missing. UserError with the line number for what is not a number.
-Spheres read_csv(const std::filesystem::path& file, double unit, bool needs_z);
+/// `needs_z` the column z may be missing. UserError with the line number for what is not a number. The lines of the
+/// share that is asked for; all shares are read together.
+Spheres read_csv(const std::filesystem::path& file, double unit, bool needs_z, const PackingRequest& request);
 
 /// Points in metres with the point array `radius` in metres: a frame of the output `vtk`, for example, which also says
 /// what the specimen was and how it repeated itself.
