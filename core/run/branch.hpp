@@ -11,6 +11,7 @@
 #include "archive/checkpoint_file.hpp"
 #include "breccia/packing.hpp"
 #include "config/places.hpp"
+#include "engine/meeting_parts.hpp"
 #include "run/resume.hpp"
 
 namespace breccia {
@@ -26,6 +27,7 @@ struct Beginner {
   const Json& provenance;
   const PackedParticles& packing;
   const Registry& registry;
+  MeetingParts& others;  ///< all ranks compare together, each its part
   bool accept_changes = false;
 };
 
