@@ -85,7 +85,7 @@ std::array<MadeSimulation, 2> halves(const MadeSimulation& whole) {
     const auto counted = [&](const std::vector<Index>& i) {
       return OwnRows(std::size_t(std::lower_bound(i.begin(), i.end(), Index(particles.first())) - i.begin()), i.size());
     };
-    s.part = PartOfSpecimen{nullptr, particles, counted(s.pair_i), counted(s.bond_i), half, 2};
+    s.part = PartOfSpecimen{nullptr, particles, counted(s.pair_i), counted(s.bond_i), half, 2, Index(first)};
   }
   return parts;
 }

@@ -2,7 +2,6 @@
 #include "engine/bonding.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdio>
 
@@ -10,6 +9,7 @@
 #include "breccia/images.hpp"
 #include "engine/cell_motion.hpp"
 #include "engine/exact_sum.hpp"
+#include "breccia/result_tools/order_statistics.hpp"
 #include "engine/parts.hpp"
 
 namespace breccia {
@@ -77,32 +77,15 @@ class Specimen {
   double largest_, mean_;
 };
 
-/// Whole numbers in the order of the doubles.
-std::uint64_t place_of(double value) {
-  const auto bits = std::bit_cast<std::uint64_t>(value);
-  return bits >> 63 ? ~bits : bits | std::uint64_t(1) << 63;
-}
-double value_at(std::uint64_t place) {
-  return std::bit_cast<double>(place >> 63 ? place & ~(std::uint64_t(1) << 63) : ~place);
-}
-
-/// Of all ranks' gaps that which has `before` smaller ones or as small. Where there are several: by halves, since
-/// nobody has them all.
+/// Of all ranks' gaps that which has `before` smaller ones or as small.
 double gap_at(const Specimen& all, std::vector<double> gaps, std::size_t before) {
   if (all.is_whole()) {
     std::nth_element(gaps.begin(), gaps.begin() + std::ptrdiff_t(before), gaps.end());
     return gaps[before];
   }
-  std::sort(gaps.begin(), gaps.end());
-  std::uint64_t low = 0, high = ~std::uint64_t(0);
-  while (low < high) {
-    const std::uint64_t middle = low + (high - low) / 2;
-    const auto not_above = std::upper_bound(gaps.begin(), gaps.end(), middle,
-                                            [](std::uint64_t place, double gap) { return place < place_of(gap); });
-    if (all.total(std::size_t(not_above - gaps.begin())) > before) high = middle;
-    else low = middle + 1;
-  }
-  return value_at(low);
+  return numbers_behind(std::move(gaps), {&before, 1}, [&](std::span<std::int64_t> counts) {
+    for (std::int64_t& c : counts) c = std::int64_t(all.total(std::size_t(c)));
+  })[0];
 }
 
 /// Far more than any packing needs; a limit of a metre in place of a millimetre asks for all pairs there are, and for

@@ -70,10 +70,8 @@ double Simulation::energy_of_pairs() {
   return energy;
 }
 
-/// Whoever states an energy that is not a finite number.
-void Simulation::blame() {
-  if (const auto text = blame_energy(state_, laws_)) throw UserError(*text);
-}
+/// Whoever states an energy that is not a finite number. All ranks know that somebody does.
+void Simulation::blame() { fail_together(blame_energy(state_, laws_)); }
 
 EnergyLedger Simulation::ledger() {
   fold_accounts();

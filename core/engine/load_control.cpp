@@ -114,16 +114,25 @@ void Simulation::mark_start_of_loading() {
   loading_started_ = true;
 }
 
-void Simulation::protect_bond(Index bond) {
+void Simulation::protect_bonds(std::span<const Index> bonds) {
+  if (!any_rank(link(), !bonds.empty())) return;
   if (!laws_.respects_protection())
     throw UserError(
         "this test protects some bonds from breaking, and the contact law does not support that: protect no bonds, or "
         "use a law that has `respects_protection`");
+  BRECCIA_ASSERT(rebuilds_ == 0);
   Bonds& b = state_.bonds;
-  const Bonds& seen = state().bonds;
-  BRECCIA_ASSERT(bond < seen.size() && rebuilds_ == 0);
   b.guarded.resize(b.size(), 0);
-  if (const auto at = bond_here(seen.i[bond], seen.j[bond])) b.guarded[*at] = 1;
+  for (const Index bond : bonds) {
+    if (const Whole* const shown = whole_ && whole_->everywhere ? whole_.get() : nullptr) {
+      const Bonds& seen = shown->state.bonds;
+      BRECCIA_ASSERT(bond < seen.size());
+      if (const auto at = bond_here(seen.i[bond], seen.j[bond])) b.guarded[*at] = 1;
+    } else {
+      BRECCIA_ASSERT(bond < b.size());
+      b.guarded[bond] = 1;
+    }
+  }
 }
 
 void Simulation::set_cell_velocity(const Mat3& velocity) {

@@ -13,13 +13,34 @@
 
 namespace breccia {
 
-/// Before each message all say what they are about to do, so that none waits for one that has failed or asks for
-/// something else.
-class MeetingParts final : public OtherParts {
+/// Asks without a word before: for those who are called on all ranks, on the same numbers.
+class LinkedParts : public OtherParts {
  public:
-  explicit MeetingParts(RankLink* link) : link_(link) {}  ///< null where there is one rank
+  explicit LinkedParts(RankLink* link) : link_(link) {}  ///< null where there is one rank
   bool first() const { return !link_ || link_->first(); }
   RankLink* link() const { return link_; }
+
+  void add(std::span<ExactSum> sums) override {
+    for (ExactSum& s : sums) s.carry();
+    link_->add({reinterpret_cast<std::int64_t*>(sums.data()), sums.size() * ExactSum::words});
+  }
+  void largest(std::span<double> numbers) override { link_->largest(numbers); }
+  std::vector<std::byte> all(std::span<const std::byte> own, std::size_t record_bytes) override {
+    const std::vector<std::size_t> counts = link_->numbers_of_all(own.size() / record_bytes);
+    std::vector<std::byte> of_all(std::accumulate(counts.begin(), counts.end(), std::size_t(0)) * record_bytes);
+    if (!of_all.empty()) link_->gather(own.data(), counts, record_bytes, of_all.data(), true);
+    return of_all;
+  }
+
+ protected:
+  RankLink* link_;
+};
+
+/// Before each message all say what they are about to do, so that none waits for one that has failed or asks for
+/// something else.
+class MeetingParts final : public LinkedParts {
+ public:
+  using LinkedParts::LinkedParts;
 
   /// Calls `f()` on all ranks together. What it throws on one is thrown there; on the others a UserError of that text.
   template <class F>
@@ -43,27 +64,25 @@ class MeetingParts final : public OtherParts {
   }
 
   void add(std::span<ExactSum> sums) override {
-    meet(sum, sums.size(), false, {});
-    if (!over_.empty()) throw UserError(over_);
-    for (ExactSum& s : sums) s.carry();
-    link_->add({reinterpret_cast<std::int64_t*>(sums.data()), sums.size() * ExactSum::words});
+    agree(sum, sums.size());
+    LinkedParts::add(sums);
   }
   void largest(std::span<double> numbers) override {
-    meet(maximum, numbers.size(), false, {});
-    if (!over_.empty()) throw UserError(over_);
-    link_->largest(numbers);
+    agree(maximum, numbers.size());
+    LinkedParts::largest(numbers);
   }
   std::vector<std::byte> all(std::span<const std::byte> own, std::size_t record_bytes) override {
-    meet(records, record_bytes, false, {});
-    if (!over_.empty()) throw UserError(over_);
-    const std::vector<std::size_t> counts = link_->numbers_of_all(own.size() / record_bytes);
-    std::vector<std::byte> of_all(std::accumulate(counts.begin(), counts.end(), std::size_t(0)) * record_bytes);
-    if (!of_all.empty()) link_->gather(own.data(), counts, record_bytes, of_all.data(), true);
-    return of_all;
+    agree(records, record_bytes);
+    return LinkedParts::all(own, record_bytes);
   }
 
  private:
   enum Act { end, sum, maximum, records };
+
+  void agree(Act act, std::size_t size) {
+    meet(act, size, false, {});
+    if (!over_.empty()) throw UserError(over_);
+  }
 
   /// Sets `over_` where this call cannot go on.
   void meet(Act act, std::size_t size, bool failed, const std::string& text) {
@@ -88,7 +107,6 @@ class MeetingParts final : public OtherParts {
     }
   }
 
-  RankLink* link_;
   std::string over_;  ///< why this call cannot go on
 };
 

@@ -9,7 +9,6 @@
 
 #include "engine/cell_motion.hpp"
 #include "engine/law_probe.hpp"
-#include "engine/meeting_parts.hpp"
 #include "engine/specimen.hpp"
 #include "engine/walls.hpp"
 
@@ -23,7 +22,7 @@ constexpr double counted_reach = 0.3;
 }  // namespace
 
 Simulation::Simulation(State state, Interactions laws, const EngineSettings& settings)
-    : state_(std::move(state)), laws_(std::move(laws)), settings_(settings) {
+    : state_(std::move(state)), laws_(std::move(laws)), settings_(settings), others_(settings.link) {
   state_.dissipated.resize(laws_.size());
   if (settings_.link) parts_.emplace(*settings_.link).begin(state_);
   const auto r = state_.particles.radius();
@@ -69,7 +68,11 @@ void Simulation::prepare() {
   mass_pending_ = settings_.added_mass > 0;
   state_.positions_at_look.clear();  // all pairs are to be looked at
   rebuild();
-  check_stiffness(state_, laws_);
+  std::optional<std::string> wrong;
+  try {
+    check_stiffness(state_, laws_);
+  } catch (const UserError& e) { wrong = e.what(); }
+  fail_together(wrong);
   if (!std::isfinite(critical_) && reach_ < skin_) {  // nothing touches yet: what may do so some day sets the step
     reach_ = skin_;
     state_.positions_at_look.clear();
@@ -86,14 +89,27 @@ void Simulation::prepare() {
 }
 
 std::optional<StepSetter> Simulation::step_setter(double ratio) {
-  const auto found = find_step_setter(state_, laws_, incidence_, reach_, bound_, ratio, settings_.threads, link());
-  if (found) gather();  // who asks wants to know more of it
+  auto found = find_step_setter(state_, laws_, incidence_, reach_, bound_, ratio, settings_.threads, link());
+  if (!found) return found;
+  struct Known {
+    Index id;
+    double radius;
+    Vec3 position;
+  };
+  std::vector<Known> known;  // to the rank that has it
+  const Particles& p = state_.particles;
+  if (const Index a = here(found->particle); a != elsewhere && p.own(a))
+    known.push_back({p.id[a], p.radius()[a], p.position()[a]});
+  if (link()) known = parts_->gathered(known, true);
+  found->id = known.front().id;
+  found->radius = known.front().radius;
+  found->position = known.front().position;
   return found;
 }
 
 void Simulation::check_critical_step() {
   if (critical_ > 0) return;
-  if (const auto blame = blame_stiffness(state_, laws_)) throw UserError(*blame);
+  fail_together(blame_stiffness(state_, laws_));
   throw UserError(
       "the stiffness of the contacts over the mass of the particles is too large a number: check moduli, density and "
       "radii");
@@ -369,7 +385,7 @@ void Simulation::advance() {
   s.moved_since_look += speed * s.time_step;
   if (!std::isfinite(s.moved_bound)) {
     undo_positions(s);
-    if (const auto blame = blame_force(s, laws_)) throw UserError(*blame);
+    fail_together(blame_force(s, laws_));
     throw UserError("the motion ran away (a velocity is no longer a finite number) at step " + std::to_string(s.step) +
                     "; lower engine.time_step_safety or check stiffness and density");
   }

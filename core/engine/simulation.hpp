@@ -8,6 +8,7 @@
 #include "breccia/protocol.hpp"
 #include "engine/added_mass.hpp"
 #include "engine/bonding.hpp"
+#include "engine/meeting_parts.hpp"
 #include "engine/neighbours.hpp"
 #include "engine/particle_pass.hpp"
 #include "engine/partition.hpp"
@@ -71,9 +72,6 @@ class Simulation final : public LoadControl {
   std::size_t pairs() const { return pairs_; }  ///< of the whole specimen, when the list was made
   std::size_t all_particles() const { return parts_ ? parts_->rows() : state_.particles.size(); }
   std::size_t all_bonds() const;  ///< ever made, of the whole specimen; all ranks ask together
-  /// Of all particles, on the first rank; the others get nothing, and call it together.
-  std::vector<Vec3> all_positions() const;
-  std::vector<Index> all_ids() const;
   /// How often all was brought together on the first rank.
   int gatherings() const { return gatherings_; }
   double seconds_gathering() const { return seconds_gathering_; }  ///< so far, for views and for protocols that look
@@ -87,7 +85,8 @@ class Simulation final : public LoadControl {
   /// After `prepare()`: the few particles, if any, whose bound is more than `ratio` times below that of the others.
   std::optional<StepSetter> step_setter(double ratio);
   bool loading_started() const { return loading_started_; }
-  double porosity() const;  ///< 1 - sum of particle volumes / specimen volume
+  double solid_volume() const { return solid_volume_; }  ///< sum of the particles' volumes; overlaps count twice [m3]
+  double porosity() const;                               ///< 1 - that / specimen volume
 
   /// Between a step's `advance()` and the next one's `forces()`: all that the steps to come depend on. Read into a
   /// simulation of the same packing, bonds, laws and walls, on which `prepare()` was called; any number of threads and
@@ -114,10 +113,11 @@ class Simulation final : public LoadControl {
   void set_cell_velocity(const Mat3& velocity) override;
   Cell cell() const override { return state_.cell; }
   Mat3 cell_stress() const override;
-  void protect_bond(Index bond) override;
+  void protect_bonds(std::span<const Index> bonds) override;
   double time() const override { return state_.time; }
   double time_step() const override { return state_.time_step; }
   ParticlesView particles() const override;
+  SimulationView particles_here() const override;
   Vec3 wall_force(std::size_t wall) const override { return state_.walls.at(wall).force; }
   Vec3 wall_displacement(std::size_t wall) const override { return state_.walls.at(wall).displacement; }
   double wall_normal_force(std::size_t wall) const override { return state_.walls.at(wall).normal_force; }
@@ -158,6 +158,7 @@ class Simulation final : public LoadControl {
   void settle_led();
   void add_energy_of_pairs(ExactSum& to);
   void blame();
+  void fail_together(const std::optional<std::string>& here) const;
   EnergyLedger ledger();
   void begin_ledger();
 
@@ -175,6 +176,7 @@ class Simulation final : public LoadControl {
   Chunks chunks_;
   Partition partition_;
   std::optional<Parts> parts_;  ///< where there are other ranks
+  mutable LinkedParts others_;  ///< of a protocol that asks in a step
   /// The specimen brought together, until something changes.
   struct Whole {
     State state;

@@ -2,6 +2,7 @@
 // A specimen in parts: who owns what, and how it is brought together and seen by those who ask for all of it.
 #include <algorithm>
 #include <chrono>
+#include <numeric>
 
 #include "engine/cell_motion.hpp"
 #include "engine/simulation.hpp"
@@ -56,6 +57,21 @@ void Simulation::gather(bool for_archive, bool everywhere) {
     whole->state = parts_->whole(state_, everywhere);
   }
   whole_ = std::move(whole);
+}
+
+/// What one rank has found wrong ends all of them, with its text; nothing where none has. All call it together.
+void Simulation::fail_together(const std::optional<std::string>& here) const {
+  if (!link()) {
+    if (here) throw UserError(*here);
+    return;
+  }
+  const std::string text = here.value_or("");
+  const std::vector<std::size_t> sizes = link()->numbers_of_all(text.size());
+  const auto first = std::find_if(sizes.begin(), sizes.end(), [](std::size_t size) { return size > 0; });
+  if (first == sizes.end()) return;
+  std::string all(std::accumulate(sizes.begin(), sizes.end(), std::size_t(0)), ' ');
+  link()->gather(text.data(), sizes, 1, all.data(), true);
+  throw UserError(all.substr(0, *first));
 }
 
 /// What stands by particle goes with its particle. Accounts of chunks and blocks are in the ledger, and what walls and

@@ -46,6 +46,21 @@ ParticlesView Simulation::particles() const {
   return view_of(*seen_);
 }
 
+SimulationView Simulation::particles_here() const {
+  SimulationView v;
+  static_cast<Space&>(v) = state_;
+  v.initial_cell = state_.reference_cell;
+  v.time = state_.time;
+  v.time_step = state_.time_step;
+  v.step = state_.step;
+  v.particles = view_of(state_.particles);
+  v.materials = state_.materials;
+  v.specimen = state_.specimen;
+  v.part = part_of_specimen(&others_);
+  if (v.part) v.part->pairs = v.part->bonds = {};
+  return v;
+}
+
 SimulationView Simulation::show(const State& s, Shown& shown) {
   SimulationView v;
   static_cast<Space&>(v) = s;
@@ -86,7 +101,8 @@ std::optional<PartOfSpecimen> Simulation::part_of_specimen(OtherParts* others) c
                         {first_counted(state_.pairs.i, p), state_.pairs.size()},
                         {first_counted(state_.bonds.i, p), state_.bonds.size()},
                         link()->rank(),
-                        link()->ranks()};
+                        link()->ranks(),
+                        parts_->first_row()};
 }
 
 SimulationView Simulation::part(OtherParts* others) {
@@ -113,16 +129,6 @@ SimulationView Simulation::whole(const SimulationView& part, bool everywhere) {
 }
 
 SimulationView Simulation::view(bool everywhere) { return whole(part(nullptr), everywhere); }
-
-std::vector<Vec3> Simulation::all_positions() const {
-  const auto position = state_.particles.position();
-  const std::vector<Vec3> here(position.begin(), position.end());
-  return link() ? parts_->gathered_rows(here, state_.particles, false) : here;
-}
-
-std::vector<Index> Simulation::all_ids() const {
-  return link() ? parts_->gathered_rows(state_.particles.id, state_.particles, false) : state_.particles.id;
-}
 
 std::size_t Simulation::all_bonds() const {
   if (!link()) return state_.bonds.size();

@@ -30,10 +30,13 @@ std::vector<double> time_step_of_each(State& state, const Interactions& law, con
 
 /// The one particle, or the few, that make the time step of all others much shorter.
 struct StepSetter {
-  Index particle;      ///< the one with the least bound; its row in the whole specimen
-  std::size_t others;  ///< whose bounds are far below those of the rest, too
-  double step;         ///< critical, of all [s]
-  double without;      ///< critical, of all but these [s]
+  Index particle;                ///< the one with the least bound; its row in the whole specimen
+  std::size_t others;            ///< whose bounds are far below those of the rest, too
+  double step;                   ///< critical, of all [s]
+  double without;                ///< critical, of all but these [s]
+  Index id = 0;                  ///< of that one: its number in the packing
+  double radius = 0;             // [m]
+  Vec3 position = Vec3::Zero();  // [m]
 };
 
 /// Those whose bound is more than `ratio` times below all that is left: at most 1 % of the particles (one in less than

@@ -90,14 +90,16 @@ Json plugins_of(const Json& provenance, std::initializer_list<const char*> kinds
   return {{"plugins", chosen}};
 }
 
-/// Specimens of that packing with the laws of a workflow.
+/// Specimens of that packing with the laws of a workflow; on several ranks each has its part of them.
 class Trial {
  public:
   Trial(const Workflow& laws_of, const Beginner& run, int threads)
       : laws_(run.registry, laws_of.contact_law, run.workflow.material_list(), std::uint64_t(laws_of.seed)),
         run_(run),
-        threads_(threads) {}
-  /// Of each pair before the test.
+        threads_(threads) {
+    laws_.meet(run.others);
+  }
+  /// Of each pair here before the test.
   std::vector<std::vector<double>> history() {
     make();
     laws_.within([&] { specimen_->prepare(); });
@@ -118,9 +120,12 @@ class Trial {
  private:
   void make() {
     const Workflow& w = run_.workflow;
+    RankLink* const link = run_.others.link();
+    EngineSettings settings = w.engine_settings(threads_);
+    settings.link = link;
     laws_.within([&] {
-      specimen_.emplace(assemble(run_.packing, w.materials_of(run_.packing), int(w.dimension), w.thickness),
-                        laws_.interactions(), w.engine_settings(threads_));
+      specimen_.emplace(assemble(run_.packing, run_.materials, int(w.dimension), w.thickness, link),
+                        laws_.interactions(), settings);
       specimen_->bond(w.bonding.rule());
     });
   }
@@ -227,7 +232,7 @@ void Branch::check_law(const Beginner& run, Host& host) {
   std::string changed;
   for (const std::string& d : differences_)
     if (section_of(d) == "contact_law") changed += "\n  " + d;
-  if (before != specimen.history())
+  if (any_rank(run.others.link(), before != specimen.history()))
     throw UserError(
         run.places.with_place("contact_law",
                               "contact_law: bonds and contacts keep what the law made of its parameters when they came "

@@ -11,6 +11,8 @@
 #include "archive/checkpoint_file.hpp"
 #include "breccia/packing.hpp"
 #include "config/places.hpp"
+#include "engine/assembly.hpp"
+#include "engine/meeting_parts.hpp"
 #include "run/resume.hpp"
 
 namespace breccia {
@@ -24,8 +26,10 @@ struct Beginner {
   const Places& places;         ///< of its values
   const std::string& resolved;  ///< its text
   const Json& provenance;
-  const PackedParticles& packing;
+  const PackedParticles& packing;  ///< this rank's piece, and what it is made of
+  const Materials& materials;
   const Registry& registry;
+  MeetingParts& others;  ///< all ranks compare together, each its part
   bool accept_changes = false;
 };
 

@@ -11,7 +11,7 @@ namespace breccia {
 
 /// Looks at the bonded specimen before the first step and warns of: particles with more volume than the specimen
 /// (diameters read as radii), deep overlaps, bonds across wide gaps, particles without a bond, and such particles away
-/// from the rest, by which the specimen would be measured.
+/// from the rest, by which the specimen would be measured. Of a specimen in parts all ranks call it together.
 void check_specimen(const SimulationView& view, double porosity, const ChecksConfig& limits, Host& host);
 
 /// Warns of one particle (or a few) that makes the time step of all others much shorter; after `prepare()`.

@@ -31,7 +31,8 @@ std::size_t set_up(StepViews& views, LoadControl& control, Protocol& protocol, c
   const std::size_t time = curves.add({"time", "s", "since the first step"});
   try {
     const SimulationView view = protocol.sees_parts() ? views.part() : views.everywhere();
-    calling(protocol_id, "setting up the test", [&] { protocol.setup(view, control, curves, host); });
+    views.others().together(
+        [&] { calling(protocol_id, "setting up the test", [&] { protocol.setup(view, control, curves, host); }); });
   } catch (const PluginFault& e) { throw AtPath("protocol", e.what()); }
   for (auto& p : postprocessors) {
     NamedRecorder recorder(curves, p.prefix());

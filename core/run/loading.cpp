@@ -17,7 +17,7 @@ LoadingStep Loading::step(bool last) {
   now.row = row_ || now.ends || step % sampling_.every_steps == 0;
   const bool was_loading = simulation_.loading_started();
   calling(id_, "moving what loads the specimen", [&] { protocol_.step(simulation_); });
-  laws_.within([&] { simulation_.forces(now.row || look_); });
+  laws_.in_step([&] { simulation_.forces(now.row || look_); });
   Progress progress = Progress::running;
   calling(id_, "deciding how the test goes on", [&] {
     progress = protocol_.decide(simulation_);

@@ -5,44 +5,54 @@
 #include <cmath>
 
 #include "breccia/block_sum.hpp"
+#include "breccia/result_tools/order_statistics.hpp"
 #include "run/checks.hpp"
 
 namespace breccia {
 namespace {
 
-/// Those that have left are no part of what is measured, and yet in all sums.
-void look_for_flown_off(const std::vector<Vec3>& position, const std::vector<Index>& id, double limit, Host& host) {
-  const std::size_t n = position.size();
+/// Those that have left are no part of what is measured, and yet in all sums. Each rank looks at its own.
+void look_for_flown_off(const SimulationView& part, std::size_t n, double limit, Host& host) {
   if (n < 8) return;
+  const auto& position = part.particles.position;
+  const OwnRows own = part.own_particles();
   Vec3 middle;
   double length = 0;
-  std::vector<double> x(n);
+  const std::size_t quarters[] = {n / 4, n - 1 - n / 4};  // half of them; the whole is twice as long
   for (int k = 0; k < 3; ++k) {
-    for (std::size_t a = 0; a < n; ++a) x[a] = position[a][k];
-    const auto at = [&](std::size_t rank) {
-      std::nth_element(x.begin(), x.begin() + std::ptrdiff_t(rank), x.end());
-      return x[rank];
-    };
-    const double low = at(n / 4), high = at(n - 1 - n / 4);  // half of them; the whole is twice as long
-    middle[k] = (low + high) / 2;
-    length = std::max(length, 2 * (high - low));
+    std::vector<double> x;
+    x.reserve(own.size());
+    for (const std::size_t a : own) x.push_back(position[a][k]);
+    const std::vector<double> at = numbers_behind(std::move(x), quarters, [&](std::span<std::int64_t> counts) {
+      std::vector<ExactSum> sums(counts.size());
+      for (std::size_t c = 0; c < counts.size(); ++c) sums[c].add(double(counts[c]));
+      const std::vector<double> all = part.sums(sums);
+      std::copy(all.begin(), all.end(), counts.begin());
+    });
+    middle[k] = (at[0] + at[1]) / 2;
+    length = std::max(length, 2 * (at[1] - at[0]));
   }
-  std::size_t flown = 0, farthest = 0;
-  double most = 0;
-  for (std::size_t a = 0; a < n; ++a) {
+  struct Far {
+    double off;
+    Index id;
+  };
+  ExactSumOf<std::size_t> flown;
+  std::vector<Far> farthest;  // here, then of each part
+  for (const std::size_t a : own) {
     const double off = (position[a] - middle).cwiseAbs().maxCoeff();
-    flown += off > (0.5 + limit) * length;
-    if (off > most) {
-      most = off;
-      farthest = a;
-    }
+    if (off > (0.5 + limit) * length) flown.add(1);
+    if (farthest.empty()) farthest.push_back({off, part.particles.id[a]});
+    else if (off > farthest[0].off) farthest[0] = {off, part.particles.id[a]};
   }
-  if (flown > 0)
-    host.warn(fmt::format(
-        "{} of {} particles have flown off: particle {} of the packing, the farthest, is {:.3g} m from the middle of "
-        "the "
-        "specimen, which is {:.3g} m long. Kinetic energy, volumes and strains of the whole are measured with them",
-        flown, n, id[farthest], most, length));
+  const std::size_t all_flown = part.sum(flown);
+  if (all_flown == 0) return;
+  farthest = part.all(farthest);
+  const Far most = *std::max_element(farthest.begin(), farthest.end(),
+                                     [](const Far& one, const Far& other) { return one.off < other.off; });
+  host.warn(fmt::format(
+      "{} of {} particles have flown off: particle {} of the packing, the farthest, is {:.3g} m from the middle of "
+      "the specimen, which is {:.3g} m long. Kinetic energy, volumes and strains of the whole are measured with them",
+      all_flown, n, most.id, most.off, length));
 }
 
 }  // namespace
@@ -50,16 +60,14 @@ void look_for_flown_off(const std::vector<Vec3>& position, const std::vector<Ind
 void check_time_step(Simulation& simulation, const ChecksConfig& limits, Host& host) {
   const auto found = simulation.step_setter(limits.time_step_ratio);
   if (!found) return;
-  const Particles& p = simulation.state().particles;
-  const Vec3 x = p.position()[found->particle];
+  const Vec3& x = found->position;
   host.warn(fmt::format(
       "particle {} of the packing (radius {:.4g} m, at {:.4g}, {:.4g}, {:.4g} m){} makes the time step {:.3g} times "
       "shorter than it were without {}: the critical one, by the bound of single particles, is {:.3g} s instead of "
       "{:.3g} s. Is it too small, or does it "
       "overlap others or a wall too much?",
-      p.id[found->particle], p.radius()[found->particle], x.x(), x.y(), x.z(),
-      found->others ? fmt::format(", with {} more,", found->others) : "", found->without / found->step,
-      found->others ? "them" : "it", found->step, found->without));
+      found->id, found->radius, x.x(), x.y(), x.z(), found->others ? fmt::format(", with {} more,", found->others) : "",
+      found->without / found->step, found->others ? "them" : "it", found->step, found->without));
 }
 
 double unbalanced_on_the_rise(const std::vector<LoadedRow>& rows, double peak) {
@@ -146,8 +154,7 @@ void LoadingChecks::finish(const Simulation& simulation, double peak, Host& host
                     "platens, or raise the damping",
                     most, limits_.unbalanced_force));
   if (simulation.state().cell.repeats()) return;
-  const std::vector<Vec3> position = simulation.all_positions();
-  look_for_flown_off(position, simulation.all_ids(), limits_.flown_off, host);
+  look_for_flown_off(simulation.particles_here(), simulation.all_particles(), limits_.flown_off, host);
 }
 
 void LoadingChecks::archive(Archive& archive) {

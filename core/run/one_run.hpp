@@ -52,6 +52,7 @@ class OneRun {
   // runner.cpp
   void create_plugins();
   void build();
+  void forget_packing();
   void resolve();
   void begin_on_specimen();
 

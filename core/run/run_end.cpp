@@ -2,7 +2,6 @@
 // What is left of a run: summary and pictures.
 #include <fmt/format.h>
 
-#include "engine/specimen.hpp"
 #include "results/results_folder.hpp"
 #include "run/environment.hpp"
 #include "run/one_run.hpp"
@@ -38,10 +37,10 @@ void OneRun::tell_of_ranks() {
   if (const int changes = simulation_->changes_of_ranks(); changes > 0)
     monitor_.info(fmt::format("particles changed ranks {} time{}, as work shifted", changes, changes == 1 ? "" : "s"));
   const double seconds = simulation_->seconds_gathering();
-  if (ranks_.several())
-    monitor_.info(
-        fmt::format("the parts of the specimen were brought together {} time{} for checks, plugins and checkpoints",
-                    simulation_->gatherings(), simulation_->gatherings() == 1 ? "" : "s"));
+  if (const int times = simulation_->gatherings(); ranks_.several() && times > 0)
+    monitor_.info(fmt::format("the parts of the specimen were brought together {} time{} for plugins and checkpoints",
+                              times, times == 1 ? "" : "s"));
+  else if (ranks_.several()) monitor_.info("the parts of the specimen were never brought together");
   if (ranks_.several() && seconds > 0.05 * loop_seconds_)
     monitor_.info(
         fmt::format("bringing the specimen together for measurements, files and checkpoints took {:.1f} s, "
@@ -114,7 +113,7 @@ void OneRun::write_summary(double wall_seconds) {
 double OneRun::packing_porosity() const {
   const double container = packing_.particles.container_volume;
   if (container <= 0) return simulation_->porosity();
-  return 1 - solid_volume(packing_.particles.radius, w_.space()) / container;
+  return 1 - simulation_->solid_volume() / container;
 }
 
 /// Pictures of the results in that folder. Nothing that happens here loses the run.

@@ -32,14 +32,14 @@ void OneRun::loop() {
       if (now.row) {
         in_row_ = true;
         refuse_if_gone();
-        ranks_.together([&] { laws_->within([&] { sample(now.begins); }); }, failure_);
+        ranks_.together([&] { laws_->in_row([&] { sample(now.begins); }); }, failure_);
         if (now.ends || !failure_.empty()) {
           interrupted_ = cancelled && failure_.empty();
           break;
         }
       }
       start = std::chrono::steady_clock::now();
-      laws_->within([&] { sim.advance(); });
+      laws_->in_step([&] { sim.advance(); });
       loop_seconds_ += seconds_since(start);
     }
     loading.warn_of_missed_peak(monitor_);
@@ -68,12 +68,13 @@ void OneRun::loop() {
   if (w_.curves.hdf5) attempt([&] { write_curves_hdf5(options_.folder / "curves.h5", curves_); });
 }
 
-/// Before each step: whether anybody is asked to stop, and whether the first rank's checkpoint is due, for which all
-/// bring what they have. `last`: the test is over.
+/// Before each step: whether anybody is asked to stop, whether the first rank's checkpoint is due, for which all bring
+/// what they have, and whether a law has failed on one of them. `last`: the test is over.
 bool OneRun::stop_or_checkpoint(bool last) {
-  double asked_due[2] = {monitor_.cancelled() ? 1.0 : 0.0, 0};
+  double asked_due[3] = {monitor_.cancelled() ? 1.0 : 0.0, 0, laws_->has_failed() ? 1.0 : 0.0};
   if (ranks_.first()) asked_due[1] = checkpoints_->due(progress(), last || asked_due[0] > 0) ? 1 : 0;
   ranks_.largest(asked_due);
+  if (asked_due[2] > 0) laws_->tell();
   const bool cancelled = asked_due[0] > 0;
   if (cancelled || asked_due[1] > 0) simulation_->gather();
   if (ranks_.first() && (asked_due[1] > 0 || (cancelled && checkpoints_->due(progress(), true))))
@@ -103,15 +104,18 @@ void OneRun::go_on() {
 /// Whether there is a state to be viewed; after a plugin's fault in the middle of a step it takes one more, unless
 /// the law has failed.
 bool OneRun::complete_step() {
-  if (in_row_ && !laws_->has_failed()) return true;
+  const auto law_has_failed = [&] { return any_rank(ranks_.link(), laws_->has_failed()); };
+  bool failed = law_has_failed();
+  if (in_row_ && !failed) return true;
   try {
     laws_->within([&] {
-      if (laws_->has_failed()) return;
+      if (failed) return;
       if (simulation_->forces_known()) simulation_->advance();
       simulation_->forces();
     });
   } catch (const UserError& e) { fail(e); }
-  return !laws_->has_failed() && simulation_->forces_known();
+  failed = law_has_failed();
+  return !failed && simulation_->forces_known();
 }
 
 void OneRun::sample(bool begins) {

@@ -44,6 +44,7 @@ RunOutcome OneRun::operator()() {
 
 void OneRun::create_plugins() {
   laws_.emplace(registry_, w_.contact_law, w_.material_list(), std::uint64_t(w_.seed));
+  laws_->meet(others_);
   protocol_ = registry_.create<Protocol>(w_.protocol);
   std::vector<Listed<Output>> outputs;
   for (const PluginChoice& c : w_.postprocessors) posts_.emplace_back(c, registry_, ranks_.first());
@@ -65,8 +66,8 @@ void OneRun::build() {
   resolve();
   const Materials materials = deal_packing(packing_, w_, ranks_.link());
   if (w_.from)
-    branch_.emplace(Beginner{w_, places_, about_.resolved, config_["provenance"], packing_.particles, registry_,
-                             options_.accept_changed_plugins},
+    branch_.emplace(Beginner{w_, places_, about_.resolved, config_["provenance"], packing_.particles, materials,
+                             registry_, others_, options_.accept_changed_plugins},
                     monitor_);
   laws_->within([&] {
     EngineSettings settings = w_.engine_settings(monitor_.threads());
@@ -74,17 +75,21 @@ void OneRun::build() {
     simulation_ =
         std::make_unique<Simulation>(assemble(packing_.particles, materials, dimension, w_.thickness, ranks_.link()),
                                      laws_->interactions(), settings);
+    forget_packing();
     bonding_ = simulation_->bond(w_.bonding.rule());
   });
   memory_is_for(simulation_->state().particles.size(), simulation_->state().bonds.size());
   monitor_.info(bonds_text(bonding_));
   const double porosity = packing_porosity();
-  const SimulationView view = simulation_->view();
-  for (std::size_t l = 0; ranks_.first() && l < laws_->size(); ++l) {
-    drawn_.push_back(drawn_parameters(laws_->named(l), view));
-    for (const DrawnParameter& drawn : drawn_.back()) monitor_.info("  " + drawn.text());
+  {
+    StepViews views(*simulation_, others_);
+    const SimulationView& part = views.part();
+    for (std::size_t l = 0; l < laws_->size(); ++l)
+      others_.together([&] { drawn_.push_back(drawn_parameters(laws_->named(l), part)); });
+    for (const auto& of_law : drawn_)
+      for (const DrawnParameter& drawn : of_law) monitor_.info("  " + drawn.text());
+    others_.together([&] { check_specimen(part, porosity, w_.checks, monitor_); });
   }
-  if (ranks_.first()) check_specimen(view, porosity, w_.checks, monitor_);
   if (branch_ && !branch_->goes_on()) begin_on_specimen();
   laws_->within([&] {
     StepViews views(*simulation_, others_);
@@ -100,6 +105,14 @@ void OneRun::build() {
   checkpoints_.emplace(
       w_.checkpoints, options_.folder, curves_, [&](Archive& to) { return archive_run(to, parts()); }, monitor_);
   curves_.open(options_.folder / "curves.csv");
+}
+
+/// The particles stand in the simulation, each rank's share of them; what the packing says of itself stays.
+void OneRun::forget_packing() {
+  PackedParticles& p = packing_.particles;
+  p.position = {};
+  p.radius = {};
+  p.columns = {};
 }
 
 /// The full input, and what made the result: running it again gives the same bits.

@@ -17,7 +17,8 @@ struct DrawnParameter {
   std::string text() const;                    ///< a line of the log
 };
 
-/// Of a law's parameters in their order, for each kind of pair that has its own distribution.
+/// Of a law's parameters in their order, for each kind of pair that has its own distribution. Of a specimen in parts
+/// all ranks call it together.
 std::vector<DrawnParameter> drawn_parameters(const NamedLaw& law, const SimulationView& view);
 
 }  // namespace breccia

@@ -7,6 +7,7 @@
 
 #include "engine/assembly.hpp"
 #include "engine/interactions.hpp"
+#include "engine/meeting_parts.hpp"
 #include "plugin/registry.hpp"
 #include "workflow/guarded_law.hpp"
 
@@ -27,10 +28,60 @@ class ContactLaws {
   const std::string& name(std::size_t law) const { return named_[law].name; }
   std::size_t size() const { return named_.size(); }
 
-  /// Around calls of the engine: what a law threw within comes out. It goes before what the engine makes of the numbers
-  /// that the law did not give.
+  /// From now on `within` is called on all ranks together. `others` outlives this.
+  void meet(MeetingParts& others) { others_ = &others; }
+  /// Around calls of the engine: what a law threw within comes out, on whichever rank, as a PluginFault of one text on
+  /// all of them. It goes before what the engine makes of the numbers that the law did not give.
   template <class F>
   void within(F&& engine) {
+    if (!others_ || !others_->link()) return here(engine);
+    std::exception_ptr of_all;  // what else one rank meets alone (no memory), it cannot tell: the others are elsewhere
+    try {
+      engine();
+    } catch (const UserError&) { of_all = std::current_exception(); }
+    bool mine = false;
+    try {
+      others_->together([&] {
+        mine = true;
+        check();
+        mine = false;
+      });
+    } catch (const UserError& e) {
+      if (mine) throw;
+      throw PluginFault(e.what());
+    }
+    if (of_all) std::rethrow_exception(of_all);
+  }
+  /// The same in a step, which has no message to spare: where there are several ranks, those go on together until
+  /// somebody asks all of them for `has_failed` and calls `tell`.
+  template <class F>
+  void in_step(F&& engine) {
+    if (!others_ || !others_->link()) return here(engine);
+    try {
+      engine();
+    } catch (const UserError&) {  // on all ranks
+      tell();
+      throw;
+    }
+  }
+  /// The same of what ranks do together after a step, each part of which they end together as well.
+  template <class F>
+  void in_row(F&& engine) {
+    if (!others_ || !others_->link()) return here(engine);
+    engine();
+  }
+  /// Throws on all ranks what a law has thrown on one.
+  void tell() {
+    within([] {});
+  }
+  bool has_failed() const;  ///< on this rank
+
+  /// Name of a column of history: that of the law alone, and behind the law's name where there are several.
+  std::string column_name(std::size_t law, const std::string& column) const;
+
+ private:
+  template <class F>
+  void here(F&& engine) {
     try {
       engine();
     } catch (...) {
@@ -39,18 +90,13 @@ class ContactLaws {
     }
     check();
   }
-  bool has_failed() const;
-
-  /// Name of a column of history: that of the law alone, and behind the law's name where there are several.
-  std::string column_name(std::size_t law, const std::string& column) const;
-
- private:
   void check() {
     for (auto& law : laws_) law->check();
   }
 
   std::vector<std::unique_ptr<GuardedLaw>> laws_;  ///< with those for certain materials
   std::vector<NamedLaw> named_;
+  MeetingParts* others_ = nullptr;
 };
 
 }  // namespace breccia

@@ -147,31 +147,123 @@ const std::string column = std::string(spheres) + brittle +
                            "protocol: {type: uniaxial_compression, platen_velocity: 1 m/s, platen_stiffness: 15 MN/m, "
                            "max_strain: 0.6 %}\n";
 
-/// Post-processors and a protocol that see parts: for them nothing is brought together, but once, when the specimen is
-/// checked before the test; and the numbers are those of one rank.
+/// Post-processors and a protocol that see parts: for them, and for the checks, nothing is brought together; and the
+/// numbers are those of one rank.
 TEST_F(Ranks, NothingIsBroughtTogetherForWhoSeesParts) {
   write_many_spheres();
-  write("w.yaml", column +
-                      "postprocessors: [{type: stress}, {type: fabric, of: touching}, {type: energy}, {type: damage}, "
-                      "{type: gauges}, "
-                      "{type: contact_stress}, {type: elastic_constants, strain: platen_strain, lateral: "
-                      "gauge_lateral_strain}]\nsampling: {every_steps: 20}\ncheckpoints: {keep: 0}\n");
+  write("w.yaml",
+        column +
+            "postprocessors: [{type: stress}, {type: fabric, of: touching}, {type: energy}, {type: damage}, "
+            "{type: gauges}, "
+            "{type: contact_stress}, {type: elastic_constants, strain: platen_strain, lateral: "
+            "gauge_lateral_strain}, {type: bond_statistics}, {type: statistics}]\nsampling: {every_steps: 20}\n"
+            "checkpoints: {keep: 0}\n");
   const Result one = call("run w.yaml --output one --threads 1");
   ASSERT_EQ(one.code, 0) << one.text;
   for (const int ranks : {2, 3}) {
     const std::string folder = "on_" + std::to_string(ranks);
     const Result many = call("run w.yaml --threads 1 --output " + folder, on(ranks));
     ASSERT_EQ(many.code, 0) << many.text;
-    EXPECT_TRUE(has(many.text, "brought together 1 time for checks")) << many.text;
+    EXPECT_TRUE(has(many.text, "never brought together")) << many.text;
     expect_same_results(folder_ / "one", folder_ / folder);
   }
   // One that does not is shown the whole, beside the others.
-  write("v.yaml", replaced(content(folder_ / "w.yaml"), "{type: energy}", "{type: energy}, {type: statistics}"));
-  ASSERT_EQ(call("run v.yaml --output with_statistics --threads 1").code, 0);
-  const Result many = call("run v.yaml --threads 1 --output on_3_with_statistics", on(3));
+  write("v.yaml", replaced(content(folder_ / "w.yaml"), "{type: energy}", "{type: energy}, {type: bagi_strain}"));
+  ASSERT_EQ(call("run v.yaml --output with_bagi_strain --threads 1").code, 0);
+  const Result many = call("run v.yaml --threads 1 --output on_3_with_bagi_strain", on(3));
   ASSERT_EQ(many.code, 0) << many.text;
-  EXPECT_FALSE(has(many.text, "brought together 1 time for")) << many.text;
-  expect_same_results(folder_ / "with_statistics", folder_ / "on_3_with_statistics");
+  EXPECT_FALSE(has(many.text, "never brought together")) << many.text;
+  expect_same_results(folder_ / "with_bagi_strain", folder_ / "on_3_with_bagi_strain");
+}
+
+/// Nor for tests that hold and load particles.
+TEST_F(Ranks, TestsOfHeldParticlesSeeParts) {
+  write_many_spheres();
+  const std::pair<const char*, const char*> tests[] = {
+      {"tension",
+       "protocol: {type: direct_tension, plate_velocity: 0.3 m/s, ramp_time: 5 us, grip: 3 mm, breakable_layer: 0.5, "
+       "max_strain: 0.05 %}\n"},
+      {"load",
+       "protocol: {type: end_load, supports: [{at: lower, holds: [all]}], loads: [{at: upper, force: [0 N, 10 N, 0 N], "
+       "share: mass}, {height: 14 mm, moment: [0 N m, 0 N m, 0.01 N m]}], ramp_time: 20 us, duration: 40 us}\n"}};
+  for (const auto& [name, protocol] : tests) {
+    write("w.yaml", std::string(spheres) + brittle + protocol +
+                        "postprocessors: [{type: stress}, {type: energy}]\nsampling: {every_steps: 20}\n"
+                        "checkpoints: {keep: 0}\n");
+    const std::string one = std::string("one_") + name, many = std::string("many_") + name;
+    const Result alone = call("run w.yaml --threads 1 --output " + one);
+    ASSERT_EQ(alone.code, 0) << alone.text;
+    const Result beside = call("run w.yaml --threads 1 --output " + many, "BRECCIA_IMBALANCE=-1 " + on(3));
+    ASSERT_EQ(beside.code, 0) << beside.text;
+    EXPECT_TRUE(has(beside.text, "never brought together")) << beside.text;
+    expect_same_results(folder_ / one, folder_ / many);
+  }
+}
+
+/// What is said of a specimen, whoever has the particles that it is said of: a small body apart from the large one, and
+/// a single stray.
+TEST_F(Ranks, DoubtsAreThoseOfOne) {
+  write_many_spheres();
+  std::string csv = content(folder_ / "small.csv");
+  for (int k = 0; k < 40; ++k)
+    csv += std::to_string(40 + 2 * (k % 8)) + ",1," + std::to_string(2 * (k / 8) + 9) + ",1\n";
+  write("small.csv", csv + "5,90,9,1\n");
+  write("w.yaml", column +
+                      "postprocessors: [{type: damage}]\nsampling: {every_steps: 20}\n"
+                      "checks: {flown_off: 1, unbonded_share: 1 %}\n");
+  const Result one = call("run w.yaml --output one --threads 1");
+  ASSERT_EQ(one.code, 0) << one.text;
+  EXPECT_TRUE(has(one.text, "particles without a bond to the rest make the specimen")) << one.text;
+  EXPECT_TRUE(has(one.text, "41 of 937 particles have no bond to the rest")) << one.text;
+  EXPECT_TRUE(has(one.text, "particles have flown off: particle 936 of the packing")) << one.text;
+  for (const int ranks : {2, 3}) {
+    const std::string folder = "on_" + std::to_string(ranks);
+    const Result many = call("run w.yaml --threads 1 --output " + folder, on(ranks));
+    ASSERT_EQ(many.code, 0) << many.text;
+    expect_same_results(folder_ / "one", folder_ / folder);
+  }
+}
+
+/// What fails on one rank ends all of them in order: one message, whole files, the exit code of one rank.
+TEST_F(Ranks, WhatFailsOnOneEndsAll) {
+  write_many_spheres();
+  const std::string fixtures = BRECCIA_BINARY_DIR "/tests/plugins/fixtures/faulty_";
+  const std::string head = "plugins: [" + fixtures + "contact_law.so, " + fixtures + "postprocessor.so, " + fixtures +
+                           "protocol.so]\n" + spheres +
+                           "protocol: {type: faulty}\nengine: {energy_error_limit: 1e9, energy_error_warning: 1e9}\n"
+                           "sampling: {every_steps: 5}\ncheckpoints: {keep: 0}\n";
+  const std::string law = "contact_law: {type: faulty, at: ", post = std::string(brittle) +
+                                                                     "postprocessors: [{type: stress}, {type: faulty, "
+                                                                     "parts: true, at: ";
+  const std::pair<std::string, std::string> faults[] = {
+      {law + "energy, rank: ", "contact_law `faulty` failed while giving energies: vector::at"},
+      {law + "evaluate, rank: ", "contact_law `faulty` failed while giving forces: vector::at"},
+      {law + "energy, throws: user, rank: ", "contact_law `faulty`: the dial is stuck"},
+      {law + "nowhere, throws: nan, rank: ", "its force is not a finite number"},
+      {post + "sample, rank: ", "postprocessor `faulty` failed while measuring: vector::at"},
+      {post + "start_of_loading, throws: number, rank: ",
+       "postprocessor `faulty` failed while beginning to measure: it threw something"},
+      {post + "finish, rank: ", "postprocessor `faulty` failed while summing up: vector::at"},
+      {post + "begin, rank: ", "postprocessor `faulty` failed while adding its curves: vector::at"}};
+  for (const auto& [fault, text] : faults) {
+    const auto failed = [&](const std::string& prefix, int rank) {
+      write("w.yaml", head + fault + std::to_string(rank) + (fault.starts_with(law) ? "}\n" : "}]\n"));
+      const Result r = call("run w.yaml --output out --overwrite --threads 1", prefix);
+      std::size_t times = 0;
+      for (std::size_t at = r.text.find(text); at != r.text.npos; at = r.text.find(text, at + 1)) ++times;
+      EXPECT_FALSE(has(r.text, "MPI_ABORT") || has(r.text, "terminate")) << r.text;
+      std::set<std::string> files;
+      if (fs::exists(folder_ / "out"))
+        for (const auto& entry : fs::recursive_directory_iterator(folder_ / "out"))
+          if (entry.path().filename().string()[0] != '.') files.insert(entry.path().filename().string());
+      fs::remove_all(folder_ / "out");
+      return std::tuple(r.code, times, files);
+    };
+    const auto one = failed("", 0);
+    EXPECT_EQ(std::get<0>(one), 2) << fault;
+    EXPECT_GE(std::get<1>(one), 1u) << fault;
+    for (const int rank : {0, 1}) EXPECT_EQ(failed(on(2), rank), one) << fault << rank;
+  }
 }
 
 /// Packings that ranks make in shares, or that one makes for all, and materials that are given out by the whole.

@@ -48,8 +48,10 @@ TEST_P(Protection, HoldsInTensionAndShear) {
     const auto& s = b->state();
     ASSERT_EQ(s.bonds.size(), 6u);
     const auto right = [&](Index k) { return s.particles.position()[k].x() > 5 * r; };
+    std::vector<Index> protect;
     for (Index k = 0; k < 6; ++k)
-      if (right(s.bonds.i[k])) b->protect_bond(k);
+      if (right(s.bonds.i[k])) protect.push_back(k);
+    b->protect_bonds(protect);
     b->prepare();
     const int steps = 20000;
     const double way = (shear ? 60 : 3) * c.limit * 6 * r;
@@ -95,7 +97,9 @@ TEST(ProtectionRefused, WithALawThatDoesNotKnowIt) {
   ContactLawOf<Unaware> law(Unaware::Config{});
   Simulation simulation(assemble(simple_cubic(1, 1, 2, 1e-3), {2650}, 3, 1.0), law, {});
   simulation.bond({GapMeasure::relative, 1e-9, std::nullopt});
-  EXPECT_THROW(simulation.protect_bond(0), UserError);
+  const Index first = 0;
+  simulation.protect_bonds({});  // none: nothing to support
+  EXPECT_THROW(simulation.protect_bonds({&first, 1}), UserError);
 }
 
 }  // namespace

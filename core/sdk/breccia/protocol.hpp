@@ -47,9 +47,10 @@ class LoadControl {
   virtual SpecimenShape set_specimen_axis(const Vec3& axis) = 0;
   /// Starts the ledger of energies and the reference positions (displacements) afresh; rows of curves.csv begin here.
   virtual void mark_start_of_loading() = 0;
-  /// From now on the bond (a row of BondsView) is neither damaged nor broken, whatever it carries. Only in `setup`.
-  /// UserError if the contact law cannot do this.
-  virtual void protect_bond(Index bond) = 0;
+  /// From now on these bonds (rows of the BondsView that `setup` was shown) are neither damaged nor broken, whatever
+  /// they carry. Only in `setup`; of parts all ask together, each for the bonds it sees, own and copied ones. UserError
+  /// if there are any and the contact law cannot do this.
+  virtual void protect_bonds(std::span<const Index> bonds) = 0;
   /// Of a space that repeats itself: how fast the vectors of its cell grow, as columns [m/s]. The specimen is strained
   /// as a whole: whenever this changes, all particles are given the change of velocity that goes with their place.
   virtual void set_cell_velocity(const Mat3& velocity) = 0;
@@ -59,7 +60,11 @@ class LoadControl {
   virtual Mat3 cell_stress() const = 0;
   virtual double time() const = 0;
   virtual double time_step() const = 0;
-  virtual ParticlesView particles() const = 0;                 ///< as the last step left them
+  /// As the last step left them; where there are several ranks, brought to each of them.
+  virtual ParticlesView particles() const = 0;
+  /// The same of those that this rank has, with space and specimen, but no pairs, bonds and walls. Each sum asked of it
+  /// is a message; `step` and `decide`, which are called on all ranks, may ask.
+  virtual SimulationView particles_here() const = 0;
   virtual Vec3 wall_force(std::size_t wall) const = 0;         ///< of the particles on the wall, in the last step [N]
   virtual Vec3 wall_displacement(std::size_t wall) const = 0;  ///< since the start of loading [m]
   /// Sum of the particles' normal forces on the wall, whatever their directions, in the last step [N].
@@ -99,7 +104,8 @@ class BRECCIA_API Protocol : public Plugin {
   /// True: `setup`, `sample` and `finish` can see the part of a specimen that this rank of several has, and are called
   /// on all of them, together; what they put together they ask of `view.sum` and `view.max`, and what the first sets
   /// counts. False: all parts are brought together, for `setup` on all ranks, else on the first, which alone calls
-  /// them. Particles are named to `LoadControl` by their rows in the whole, as its `particles()` has them.
+  /// them. Particles are named to `LoadControl` by their rows in the whole, as its `particles()` has them; an own one
+  /// of a part has `SimulationView::row_in_whole`. All ranks hold, release and load the same ones, whoever has them.
   virtual bool sees_parts() const { return false; }
   /// Fills its columns, of the instant of the last `decide`.
   virtual void sample(const SimulationView& view, Recorder& recorder) const = 0;

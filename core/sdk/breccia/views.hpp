@@ -3,6 +3,7 @@
 /// (spatial); `ParticlesView::id` gives the order of the packing. Spans live until the call returns.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -175,6 +176,7 @@ struct PartOfSpecimen {
   OtherParts* others = nullptr;
   OwnRows particles, pairs, bonds;  ///< that count here
   int number = 0, count = 1;        ///< of this part, from 0 on; how many there are
+  Index first_row = 0;              ///< of the first own particle, in the whole: own ones stand side by side there, too
 };
 
 inline constexpr std::size_t particle_block = 256;  ///< of the engine
@@ -256,6 +258,19 @@ struct SimulationView : Space, SeenInPart {
   OwnRows own_particles() const { return part ? part->particles : OwnRows(0, particles.size()); }
   OwnRows own_pairs() const { return part ? part->pairs : OwnRows(0, pairs.size()); }
   OwnRows own_bonds() const { return part ? part->bonds : OwnRows(0, bonds.size()); }
+  /// Of an own particle; by these rows protocols name particles.
+  Index row_in_whole(std::size_t own) const {
+    return part ? Index(own - part->particles.first()) + part->first_row : Index(own);
+  }
+  /// The other way round, of some rows of the whole in ascending order: those that are own particles, as rows here.
+  /// Calls `f(k, row here)` with the place of each in `rows`.
+  template <class F>
+  void for_each_own(std::span<const Index> rows, F&& f) const {
+    const OwnRows own = own_particles();
+    const Index first = part ? part->first_row : 0, behind = Index(first + own.size());
+    for (auto at = std::lower_bound(rows.begin(), rows.end(), first); at != rows.end() && *at < behind; ++at)
+      f(std::size_t(at - rows.begin()), std::size_t(*at - first) + own.first());
+  }
 };
 
 /// "feldspar-quartz" for each two materials that have bonds: `f(name, bonds)` with the rows of these in `bonds`. Not

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <string>
 
+#include "breccia/block_sum.hpp"
 #include "breccia/postprocessor.hpp"
 
 namespace breccia {
@@ -26,29 +28,35 @@ struct Statistics {
   std::size_t tension = 0, compression = 0;
 
   explicit Statistics(const SimulationView& view) {
-    std::vector<double> size;
-    for (std::size_t k = 0; k < view.pairs.size(); ++k) {
-      if (view.pairs.state[k] != BondState::intact) continue;
-      const double normal = normal_force(view, k);
-      tension += normal > 0;
-      compression += normal < 0;
-      size.push_back(std::abs(normal));
-    }
-    if (size.empty()) return;
-    const double count = double(size.size());
-    least = size[0];
-    for (const double s : size) {
-      mean += s / count;
-      least = std::min(least, s);
-      most = std::max(most, s);
-    }
-    double square = 0, strong = 0;
-    for (const double s : size) {
-      square += (s - mean) * (s - mean);
-      strong += s > mean;
-    }
-    standard_deviation = std::sqrt(square / count);
-    strong_share = strong / count;
+    const auto for_each_size = [&](auto&& f) {
+      for (const std::size_t k : view.own_pairs())
+        if (view.pairs.state[k] == BondState::intact) f(view.pairs.i[k], normal_force(view, k));
+    };
+    BlockSum<Eigen::Vector4d> sums(view);  // number, size, in tension, in compression
+    double ends[] = {-INFINITY, -INFINITY};
+    for_each_size([&](Index i, double normal) {
+      const double size = std::abs(normal);
+      sums.add(i, {1, size, double(normal > 0), double(normal < 0)});
+      ends[0] = std::max(ends[0], -size);
+      ends[1] = std::max(ends[1], size);
+    });
+    const Eigen::Vector4d all = view.sum(sums.exact());
+    const double count = all[0];
+    if (count == 0) return;
+    view.max(ends);
+    mean = all[1] / count;
+    least = -ends[0];
+    most = ends[1];
+    tension = std::size_t(all[2]);
+    compression = std::size_t(all[3]);
+    BlockSum<Eigen::Vector2d> about(view);  // square, of the strong network
+    for_each_size([&](Index i, double normal) {
+      const double size = std::abs(normal), off = size - mean;
+      about.add(i, {off * off, double(size > mean)});
+    });
+    const Eigen::Vector2d of_all = view.sum(about.exact());
+    standard_deviation = std::sqrt(of_all[0] / count);
+    strong_share = of_all[1] / count;
   }
 };
 
@@ -77,19 +85,61 @@ bool has_column(const Curves& curves, const std::string& name) {
   return std::any_of(all.begin(), all.end(), [&](const Column& c) { return c.name == name; });
 }
 
-/// Of d0/(r_i + r_j) - 1 when the bonds were made: gap positive, overlap negative.
-Json initial_gaps(const SimulationView& view) {
+/// Of d0/(r_i + r_j) - 1 when the bonds were made: gap positive, overlap negative. `made`: in the whole specimen.
+Json initial_gaps(const SimulationView& view, std::size_t made) {
   const BondsView& bonds = view.bonds;
-  if (bonds.size() == 0) return Json();
-  double mean = 0, least = INFINITY, most = -INFINITY;
-  for (std::size_t b = 0; b < bonds.size(); ++b) {
+  if (made == 0) return Json();
+  BlockSum<double> sum(view);
+  double ends[] = {-INFINITY, -INFINITY};
+  for (const std::size_t b : view.own_bonds()) {
     const double touching = view.particles.radius[bonds.i[b]] + view.particles.radius[bonds.j[b]];
     const double gap = bonds.initial_distance[b] / touching - 1;
-    mean += gap / double(bonds.size());
-    least = std::min(least, gap);
-    most = std::max(most, gap);
+    sum.add(bonds.i[b], gap);
+    ends[0] = std::max(ends[0], -gap);
+    ends[1] = std::max(ends[1], gap);
   }
-  return {{"mean", mean}, {"min", least}, {"max", most}};
+  view.max(ends);
+  return {{"mean", view.sum(sum.exact()) / double(made)}, {"min", -ends[0]}, {"max", ends[1]}};
+}
+
+/// Bonds between two materials.
+struct Between {
+  std::size_t low, high;  ///< numbers of the materials
+  std::size_t made = 0, intact = 0;
+  ExactSum force = {};  // sizes, of the intact ones [N]
+};
+
+/// For each two materials that have bonds, in their order.
+std::vector<Between> by_materials_of(const SimulationView& view) {
+  const auto& of = view.particles.material;
+  std::map<std::pair<std::size_t, std::size_t>, Between> found;
+  const auto at = [&](std::size_t p, std::size_t q) -> Between& {
+    const auto [low, high] = std::minmax(p, q);
+    return found.try_emplace({low, high}, Between{low, high}).first->second;
+  };
+  if (!of.empty())
+    for (const std::size_t b : view.own_bonds()) {
+      Between& one = at(of[view.bonds.i[b]], of[view.bonds.j[b]]);
+      ++one.made;
+      if (view.bonds.state[b] != BondState::intact || view.bonds.pair[b] == BondsView::no_pair) continue;
+      const PairForce& f = view.pairs.force[view.bonds.pair[b]];
+      one.force.add(std::sqrt(f.fx * f.fx + f.fy * f.fy + f.fz * f.fz));
+      ++one.intact;
+    }
+  const auto list = [&] {
+    std::vector<Between> all;
+    for (const auto& [materials, one] : found) all.push_back(one);
+    return all;
+  };
+  const std::vector<Between> of_parts = view.all(list());
+  found.clear();
+  for (const Between& one : of_parts) {
+    Between& sum = at(one.low, one.high);
+    sum.made += one.made;
+    sum.intact += one.intact;
+    sum.force.add(one.force);
+  }
+  return list();
 }
 
 }  // namespace
@@ -113,6 +163,7 @@ class BondStatistics final : public Postprocessor {
   }
 
   explicit BondStatistics(const Config& config) : config_(config) {}
+  bool sees_parts() const override { return true; }
 
   std::vector<std::string> needed_curves() const override {
     return config_.peak_of ? std::vector<std::string>{*config_.peak_of} : std::vector<std::string>{};
@@ -139,25 +190,19 @@ class BondStatistics final : public Postprocessor {
   }
 
   void finish(const SimulationView& view, const Curves& curves, Summary& summary) override {
-    summary.own("bonds_made", view.bonds.size());
-    summary.own("initial_gap_ratio", initial_gaps(view));
+    ExactSumOf<std::size_t> here;
+    here.add(view.own_bonds().size());
+    const std::size_t made = view.sum(here);
+    summary.own("bonds_made", made);
+    summary.own("initial_gap_ratio", initial_gaps(view, made));
     const Statistics last(view);
     for (const Quantity& q : quantities) summary.own({std::string("at_last.") + q.key, q.unit}, q.value(last));
-
-    for_each_pair_of_materials(view, [&](const std::string& name, const std::vector<std::size_t>& rows) {
-      std::size_t intact = 0;
-      double sum = 0;
-      for (const std::size_t b : rows) {
-        if (view.bonds.state[b] != BondState::intact || view.bonds.pair[b] == BondsView::no_pair) continue;
-        const PairForce& f = view.pairs.force[view.bonds.pair[b]];
-        sum += std::sqrt(f.fx * f.fx + f.fy * f.fy + f.fz * f.fz);
-        ++intact;
-      }
-      const std::string section = "by_materials." + name + ".";
-      summary.own(section + "bonds_made", rows.size());
-      summary.own(section + "intact", intact);
-      summary.own({section + "mean_force", "N"}, intact ? Json(sum / double(intact)) : Json());
-    });
+    for (const Between& one : by_materials_of(view)) {
+      const std::string section = "by_materials." + view.materials[one.low] + "-" + view.materials[one.high] + ".";
+      summary.own(section + "bonds_made", one.made);
+      summary.own(section + "intact", one.intact);
+      summary.own({section + "mean_force", "N"}, one.intact ? Json(one.force.value() / double(one.intact)) : Json());
+    }
 
     const std::string peak_of = config_.peak_of.value_or("axial_stress");
     if (curves.rows() == 0 || (!config_.peak_of && !has_column(curves, peak_of))) return;

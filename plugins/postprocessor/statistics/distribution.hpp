@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Moments and histogram of a set of numbers. The set comes sorted, so that results do not depend on who is numbered
-/// first.
+/// Moments and histogram of a set of numbers, of which each part of a specimen has some. They come sorted; sums are
+/// exact, so that results do not depend on who is numbered first, nor on how many parts there are.
 #pragma once
 
 #include <cstddef>
 #include <vector>
+
+#include "breccia/views.hpp"
 
 namespace breccia {
 
@@ -18,17 +20,17 @@ struct Moments {
   double min, max;
 };
 
-/// Of at least one number, in ascending order. Source: Joanes and Gill (1998), The Statistician 47, 183-189, where
-/// these are b1 and b2.
-Moments moments(const std::vector<double>& sorted);
+/// Of numbers in ascending order; at least one part has one, and all ask together. Source: Joanes and Gill (1998), The
+/// Statistician 47, 183-189, where these are b1 and b2.
+Moments moments(const SeenInPart& parts, const std::vector<double>& sorted);
 
 struct Histogram {
   std::vector<double> edges;        ///< one more than bins
   std::vector<std::size_t> counts;  ///< edges[k] <= x < edges[k + 1]; the last bin has its upper edge too
 };
 
-/// Bins of equal width between the least and the largest of at least one number, in ascending order. A single bin when
-/// the numbers are equal, up to rounding.
-Histogram histogram(const std::vector<double>& sorted, std::size_t bins);
+/// Bins of equal width between the least and the largest of such numbers. A single bin when they are equal, up to
+/// rounding.
+Histogram histogram(const SeenInPart& parts, const std::vector<double>& sorted, std::size_t bins);
 
 }  // namespace breccia

@@ -27,6 +27,15 @@ void Rose::add(double u, double v, double w) {
   ++lines_;
 }
 
+void Rose::meet(const SeenInPart& parts) {
+  std::vector<ExactSum> sums(counts_.size() + 1);
+  for (std::size_t k = 0; k < counts_.size(); ++k) sums[k].add(double(counts_[k]));
+  sums.back().add(double(lines_));
+  const std::vector<double> all = parts.sums(sums);
+  for (std::size_t k = 0; k < counts_.size(); ++k) counts_[k] = std::size_t(all[k]);
+  lines_ = std::size_t(all.back());
+}
+
 double Rose::angle(std::size_t k) const { return 2 * M_PI * (double(k) / double(counts_.size())); }
 
 }  // namespace breccia

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "breccia/views.hpp"
+
 namespace breccia {
 
 /// Directions projected on one plane (u, v); the angle goes from u to v [rad].
@@ -18,6 +20,9 @@ class Rose {
   /// (u, v) and in that of (-u, -v). Not counted when tilted further than asked, nor when normal to the plane to within
   /// 1e-9: its projection is rounding, not a direction.
   void add(double u, double v, double w);
+
+  /// Lines of all parts, which ask together.
+  void meet(const SeenInPart& parts);
 
   double angle(std::size_t k) const;  ///< where sector k begins [rad]; 0 <= k <= number of sectors
   const std::vector<std::size_t>& counts() const { return counts_; }

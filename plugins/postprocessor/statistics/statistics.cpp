@@ -117,22 +117,28 @@ class Statistics final : public Postprocessor {
   }
 
   explicit Statistics(const Config& config) : config_(config) {}
+  bool sees_parts() const override { return true; }
 
   void finish(const SimulationView& view, const Curves&, Summary& summary) override {
+    ExactSumOf<std::size_t> particles, bonds;
+    particles.add(view.own_particles().size());
+    bonds.add(view.own_bonds().size());
+    const auto [of_all, made] = view.sum(particles, bonds);
     for (const Quantity& q : of_particles) {
       std::vector<double> values;
-      for (const double r : view.particles.radius) values.push_back(q.value(r, r));
-      report(q, std::move(values), summary);
+      for (const std::size_t k : view.own_particles())
+        values.push_back(q.value(view.particles.radius[k], view.particles.radius[k]));
+      report(q, of_all, std::move(values), view, summary);
     }
     for (const Quantity& q : of_bonds) {
       std::vector<double> values;
-      for (std::size_t b = 0; b < view.bonds.size(); ++b)
+      for (const std::size_t b : view.own_bonds())
         values.push_back(q.value(view.particles.radius[view.bonds.i[b]], view.particles.radius[view.bonds.j[b]]));
-      report(q, std::move(values), summary);
+      report(q, made, std::move(values), view, summary);
     }
     report_materials(view, summary);
     for (const Plane& p : planes) {
-      report(p, view, summary);
+      report(p, made, view, summary);
       if (view.dimension == 2) break;
     }
   }
@@ -143,45 +149,47 @@ class Statistics final : public Postprocessor {
   static void report_materials(const SimulationView& view, Summary& summary) {
     const ParticlesView& p = view.particles;
     if (p.material.empty()) return;
-    struct Sums {
-      std::size_t count = 0;
-      double volume = 0, mass = 0, radius = 0;
-    };
-    std::vector<Sums> of(view.materials.size());
-    double all = 0;
-    for (std::size_t k = 0; k < p.size(); ++k) {
-      Sums& s = of[p.material[k]];
-      ++s.count;
-      s.volume += view.solid_volume(p.radius[k]);
-      s.mass += p.mass[k];
-      s.radius += p.radius[k];
-      all += view.solid_volume(p.radius[k]);
+    const std::size_t n = view.materials.size();
+    std::vector<ExactSum> sums(4 * n);  // of each: particles, volume, mass, radius
+    for (const std::size_t k : view.own_particles()) {
+      ExactSum* const s = &sums[4 * p.material[k]];
+      s[0].add(1);
+      s[1].add(view.solid_volume(p.radius[k]));
+      s[2].add(p.mass[k]);
+      s[3].add(p.radius[k]);
     }
-    for (std::size_t m = 0; m < of.size(); ++m) {
+    const std::vector<double> of = view.sums(sums);
+    double all = 0;
+    for (std::size_t m = 0; m < n; ++m) all += of[4 * m + 1];
+    for (std::size_t m = 0; m < n; ++m) {
       const std::string section = "materials." + view.materials[m] + ".";
-      summary.own(section + "particles", of[m].count);
-      summary.own(section + "volume_share", of[m].volume / all);
-      summary.own({section + "mass", "kg"}, of[m].mass);
-      summary.own({section + "mean_radius", "m"}, of[m].count ? Json(of[m].radius / double(of[m].count)) : Json());
+      const double count = of[4 * m];
+      summary.own(section + "particles", std::size_t(count));
+      summary.own(section + "volume_share", of[4 * m + 1] / all);
+      summary.own({section + "mass", "kg"}, of[4 * m + 2]);
+      summary.own({section + "mean_radius", "m"}, count > 0 ? Json(of[4 * m + 3] / count) : Json());
     }
   }
 
-  void report(const Quantity& q, std::vector<double> values, Summary& summary) const {
-    if (values.empty()) return summary.own(q.name, Json());
+  /// `count`: of the values of all parts.
+  void report(const Quantity& q, std::size_t count, std::vector<double> values, const SimulationView& view,
+              Summary& summary) const {
+    if (count == 0) return summary.own(q.name, Json());
     std::sort(values.begin(), values.end());
-    breccia::report(moments(values), std::string(q.name) + ".", q.unit, summary);
-    const Histogram h = histogram(values, std::size_t(config_.bins));
+    breccia::report(moments(view, values), std::string(q.name) + ".", q.unit, summary);
+    const Histogram h = histogram(view, values, std::size_t(config_.bins));
     summary.table(table(std::string("histogram_") + q.name, q.doc, q.unit, h.edges, h.counts));
   }
 
-  void report(const Plane& plane, const SimulationView& view, Summary& summary) const {
+  void report(const Plane& plane, std::size_t made, const SimulationView& view, Summary& summary) const {
     Rose rose(std::size_t(config_.sectors), config_.largest_tilt.value_or(M_PI / 2));
-    for (std::size_t b = 0; b < view.bonds.size(); ++b) {
+    for (const std::size_t b : view.own_bonds()) {
       const Vec3 branch = view.initial_branch(view.bonds.i[b], view.bonds.j[b]);
       rose.add(branch[plane.u], branch[plane.v], branch[plane.normal]);
     }
+    rose.meet(view);
     const std::string name = std::string("rose_") + plane.name;
-    summary.own(name, Json{{"bonds", rose.lines()}, {"bonds_left_out", view.bonds.size() - rose.lines()}});
+    summary.own(name, Json{{"bonds", rose.lines()}, {"bonds_left_out", made - rose.lines()}});
     if (rose.lines() == 0) return;
     std::vector<double> edges;
     for (std::size_t k = 0; k <= rose.counts().size(); ++k) edges.push_back(rose.angle(k));

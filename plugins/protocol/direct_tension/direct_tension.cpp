@@ -89,26 +89,23 @@ class DirectTension final : public Protocol {
     travel_ = stiffness_.wave_speed > 0 ? shape_.height / stiffness_.wave_speed : 0;
     const ParticlesView& p = view.particles;
     double largest = 0;
-    for (const double r : p.radius) largest = std::max(largest, r);
-    grip_ = c_.grip.value_or(largest);
+    for (const std::size_t k : view.own_particles()) largest = std::max(largest, p.radius[k]);
+    grip_ = c_.grip.value_or(view.max(largest));
     if (2 * grip_ >= shape_.height) throw UserError("protocol direct_tension: the grips meet: make `grip` smaller");
-    held_.assign(p.size(), 0);
-    arm_.assign(p.size(), 0);
-    const double tolerance = 1e-9 * shape_.height;
-    for (Index k = 0; k < p.size(); ++k) {
+    for (const std::size_t k : view.own_particles()) {
       const double at = height_of(p.position[k]);
-      const bool low = at <= grip_ + tolerance, high = at >= shape_.height - grip_ - tolerance;
-      if (low) lower_.push_back(k);
-      if (high) upper_.push_back(k);
-      held_[k] = low || high;
-      arm_[k] = low ? -at : high ? shape_.height - at : 0;  // pulled at the end face, not at its centre
+      // Pulled at the end face, not at its centre.
+      if (is_low(at)) lower_.take(view.row_in_whole(k), -at);
+      if (is_high(at)) upper_.take(view.row_in_whole(k), shape_.height - at);
     }
-    if (lower_.empty() || upper_.empty())
+    for (Grip* grip : {&lower_, &upper_}) grip->meet(view);
+    if (lower_.rows.empty() || upper_.rows.empty())
       throw UserError("protocol direct_tension: no particle lies within `grip` of an end face; make it larger");
     free_length_ = free_length(view);
     protect(view, control);
-    s_.lower_start = mean_height(p, lower_);
-    s_.upper_start = mean_height(p, upper_);
+    const Ends ends(*this, view);
+    s_.lower_start = ends.height[0];
+    s_.upper_start = ends.height[1];
     stress_ =
         recorder.add({"platen_stress", "Pa", "mean load of both ends over the cross-section; compression positive",
                       role::machine_stress});
@@ -131,8 +128,9 @@ class DirectTension final : public Protocol {
     const double speed = s_.ramp.at(control.time());
     if (s_.holding && speed == s_.speed) return;
     const Vec3 up = speed * shape_.axis, down = c_.moving == MovingPlatens::both ? Vec3(-up) : Vec3::Zero();
-    for (const Index k : upper_) control.hold(k, dof::all, up, Vec3::Zero(), arm_[k] * shape_.axis);
-    for (const Index k : lower_) control.hold(k, dof::all, down, Vec3::Zero(), arm_[k] * shape_.axis);
+    for (const auto& [grip, velocity] : {std::pair(&upper_, up), {&lower_, down}})
+      for (std::size_t k = 0; k < grip->rows.size(); ++k)
+        control.hold(grip->rows[k], dof::all, velocity, Vec3::Zero(), grip->arms[k] * shape_.axis);
     s_.speed = speed;
     s_.holding = true;
   }
@@ -140,11 +138,11 @@ class DirectTension final : public Protocol {
   Progress decide(LoadControl& control) override {
     if (!s_.marked) control.mark_start_of_loading();
     s_.marked = true;
-    const ParticlesView p = control.particles();
-    const double below = pull(p, lower_), above = -pull(p, upper_), mean = 0.5 * (below + above);
+    const Ends ends(*this, control.particles_here());
+    const double below = ends.pull[0], above = -ends.pull[1], mean = 0.5 * (below + above);
     s_.stress = mean / shape_.cross_section_area;
     s_.imbalance = mean > 0 ? (above - below) / mean : 0.0;
-    s_.strain = (mean_height(p, upper_) - s_.upper_start - mean_height(p, lower_) + s_.lower_start) / free_length_;
+    s_.strain = (ends.height[1] - s_.upper_start - ends.height[0] + s_.lower_start) / free_length_;
     const double time = control.time();
     if (s_.stress > s_.peak) {
       s_.peak = s_.stress;
@@ -162,13 +160,17 @@ class DirectTension final : public Protocol {
   /// A tenth of what counts as loaded in compression, as rock and concrete carry a tenth in tension.
   double load_scale() const override { return 0.1 * strain_of_touch * stiffness_.modulus; }
 
+  bool sees_parts() const override { return true; }
   void sample(const SimulationView& view, Recorder& recorder) const override {
+    const ParticlesView& p = view.particles;
+    std::vector<std::uint8_t> held(p.size());  // by the plates, and by nobody else in all motions
+    for (std::size_t k = 0; k < held.size(); ++k) held[k] = p.held[k] == dof::all;
     recorder.set(stress_, -s_.stress);
     recorder.set(strain_, -s_.strain);
     recorder.set(load_, s_.stress * shape_.cross_section_area);
     recorder.set(displacement_, s_.strain * free_length_);
     recorder.set(imbalance_, s_.imbalance);
-    recorder.set(unbalanced_, unbalanced_force_ratio(view, held_));
+    recorder.set(unbalanced_, unbalanced_force_ratio(view, held));
   }
 
   double share_done() const override { return s_.failed ? 1.0 : std::clamp(s_.strain / c_.max_strain, 0.0, 1.0); }
@@ -179,7 +181,7 @@ class DirectTension final : public Protocol {
   }
 
   void finish(const SimulationView& view, const Curves& curves, Summary& summary) override {
-    summary.own("held_particles", Json{{"lower", lower_.size()}, {"upper", upper_.size()}});
+    summary.own("held_particles", Json{{"lower", lower_.rows.size()}, {"upper", upper_.rows.size()}});
     summary.own({"grip", "m"}, grip_);
     summary.own({"free_length", "m"}, free_length_);
     summary.own("protected_bonds", protected_);
@@ -213,28 +215,58 @@ class DirectTension final : public Protocol {
   };
 
   double height_of(const Vec3& x) const { return (x - shape_.base).dot(shape_.axis); }
-  double mean_height(const ParticlesView& p, const std::vector<Index>& group) const {
-    double sum = 0;
-    for (const Index k : group) sum += height_of(p.position[k]);
-    return sum / double(group.size());
-  }
+  bool is_low(double at) const { return at <= grip_ + 1e-9 * shape_.height; }
+  bool is_high(double at) const { return at >= shape_.height - grip_ - 1e-9 * shape_.height; }
+  bool is_held(const Vec3& x) const { return is_low(height_of(x)) || is_high(height_of(x)); }
+
+  /// What a plate holds, of the whole specimen: few particles.
+  struct Grip {
+    std::vector<Index> rows;   ///< in the whole
+    std::vector<double> arms;  ///< along the axis, from the centre to the end face [m]
+    void take(Index row, double arm) {
+      rows.push_back(row);
+      arms.push_back(arm);
+    }
+    void meet(const SimulationView& view) {
+      rows = view.all(rows);
+      arms = view.all(arms);
+    }
+  };
+  /// Of what the lower and the upper plate hold, now.
+  struct Ends {
+    Ends(const DirectTension& test, const SimulationView& view) {
+      ExactSumOf<Eigen::Vector2d> of[2];
+      for (int end = 0; end < 2; ++end)
+        view.for_each_own((end == 0 ? test.lower_ : test.upper_).rows, [&](std::size_t, std::size_t k) {
+          const ParticlesView& p = view.particles;
+          of[end].add({p.force[k].dot(test.shape_.axis), test.height_of(p.position[k])});
+        });
+      const auto [low, high] = view.sum(of[0], of[1]);
+      pull[0] = low[0];
+      pull[1] = high[0];
+      height[0] = low[1] / double(test.lower_.rows.size());
+      height[1] = high[1] / double(test.upper_.rows.size());
+    }
+    double pull[2];    ///< of the specimen on held particles, along the axis [N]
+    double height[2];  ///< mean [m]
+  };
   /// Between the mean heights of the held particles that are bonded to free ones.
   double free_length(const SimulationView& view) const {
-    double height[2] = {0, 0}, count[2] = {0, 0};
-    std::vector<std::uint8_t> counted = held_;
-    for (Index b = 0; b < view.bonds.size(); ++b)
+    const ParticlesView& p = view.particles;
+    std::vector<std::uint8_t> counts(p.size(), 0);
+    for (std::size_t b = 0; b < view.bonds.size(); ++b)
       for (const auto& [k, other] :
            {std::pair(view.bonds.i[b], view.bonds.j[b]), std::pair(view.bonds.j[b], view.bonds.i[b])})
-        if (counted[k] && !held_[other]) {
-          const double at = height_of(view.particles.position[k]);
-          const int end = at > 0.5 * shape_.height;
-          height[end] += at;
-          ++count[end];
-          counted[k] = 0;
-        }
-    if (count[0] == 0 || count[1] == 0)
+        if (is_held(p.position[k]) && !is_held(p.position[other])) counts[k] = 1;
+    ExactSumOf<Eigen::Vector2d> of[2];  // number, height
+    for (const std::size_t k : view.own_particles()) {
+      const double at = height_of(p.position[k]);
+      if (counts[k]) of[at > 0.5 * shape_.height].add({1, at});
+    }
+    const auto [low, high] = view.sum(of[0], of[1]);
+    if (low[0] == 0 || high[0] == 0)
       throw UserError("protocol direct_tension: no bond joins the particles held at an end to the specimen");
-    return height[1] / count[1] - height[0] / count[0];
+    return high[1] / high[0] - low[1] / low[0];
   }
   void protect(const SimulationView& view, LoadControl& control) {
     if (c_.breakable_layer >= 1) return;
@@ -242,31 +274,29 @@ class DirectTension final : public Protocol {
     const auto inside = [&](Index k) {
       return std::abs(height_of(view.particles.position[k]) - 0.5 * shape_.height) <= half;
     };
+    std::vector<Index> bonds;
+    ExactSumOf<std::size_t> number;
     for (Index b = 0; b < view.bonds.size(); ++b) {
       if (inside(view.bonds.i[b]) && inside(view.bonds.j[b])) continue;
-      control.protect_bond(b);
-      ++protected_;
+      bonds.push_back(b);
+      if (view.own_bonds().contain(b)) number.add(1);
     }
-  }
-  /// Of the specimen on held particles, along the axis [N].
-  double pull(const ParticlesView& p, const std::vector<Index>& group) const {
-    double sum = 0;
-    for (const Index k : group) sum += p.force[k].dot(shape_.axis);
-    return sum;
+    control.protect_bonds(bonds);
+    protected_ = view.sum(number);
   }
   static std::size_t broken(const SimulationView& view) {
-    std::size_t n = 0;
-    for (const BondState b : view.bonds.state) n += is_broken(b);
-    return n;
+    std::size_t here = 0;
+    for (const std::size_t b : view.own_bonds()) here += is_broken(view.bonds.state[b]);
+    ExactSumOf<std::size_t> n;
+    n.add(here);
+    return view.sum(n);
   }
 
   Config c_;
   SpecimenShape shape_;
   BondStiffness stiffness_;
   double grip_ = 0, free_length_ = 0, travel_ = 0;  // [m], [m], of a wave from end to end [s]
-  std::vector<Index> lower_, upper_;
-  std::vector<std::uint8_t> held_;
-  std::vector<double> arm_;  // along the axis, from the centre to the end face [m]
+  Grip lower_, upper_;
   std::size_t protected_ = 0;
   std::size_t stress_ = 0, strain_ = 0, load_ = 0, displacement_ = 0, imbalance_ = 0, unbalanced_ = 0;
   Running s_;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Dead loads on parts of a specimen that is held at others, static or dynamic.
+#include <map>
+
 #include "group.hpp"
 #include "running.hpp"
 
@@ -27,8 +29,8 @@ class EndLoad final : public Protocol {
     ramp_time_ = c_.ramp_time.value_or(20 * slow);
     max_time_ = c_.max_time.value_or(1000 * slow);
     max_displacement_ = c_.max_displacement.value_or(0.1 * shape_.height);
-    take_supports(view.particles, control);
-    take_loads(view.particles);
+    take_supports(view, control);
+    take_loads(view);
     factor_ = recorder.add({"load_factor", "1", "share of the loads that is applied"});
     for (const Loaded& l : loads_) force_ += l.force.norm();
     if (force_ > 0) {
@@ -62,18 +64,20 @@ class EndLoad final : public Protocol {
 
   Progress decide(LoadControl& control) override {
     if (!s_.marked) control.mark_start_of_loading();
-    const ParticlesView p = control.particles();
+    const SimulationView now = control.particles_here();
     const double time = control.time(), passed = time - s_.last_time;
     s_.last_time = time;
     if (!s_.marked) s_.broken_before = control.broken_bonds();
     s_.marked = true;
     // The velocities are those of the step that led here.
-    for (std::size_t k = 0; k < s_.rotation.size(); ++k) s_.rotation[k] += passed * group(k).spin(p);
+    const std::vector<Motion> of = motions(now);
+    for (std::size_t k = 0; k < of.size(); ++k) s_.rotation[k] += passed * of[k].spin;
     s_.displacement = 0;
-    for (const Loaded& l : loads_) s_.displacement = std::max(s_.displacement, l.group.displacement(p).norm());
+    for (std::size_t k = supports_.size(); k < of.size(); ++k)
+      s_.displacement = std::max(s_.displacement, of[k].displacement.norm());
     const bool broke = control.broken_bonds() > s_.broken_before;
     if (broke && s_.factor_at_break < 0) s_.factor_at_break = s_.factor;
-    if (s_.ended == Ending::none) s_.ended = end(p, time, broke);
+    if (s_.ended == Ending::none) s_.ended = end(now, of, time, broke);
     return s_.ended == Ending::none ? Progress::running : Progress::finished;
   }
 
@@ -81,17 +85,20 @@ class EndLoad final : public Protocol {
   double load() const override { return c_.duration ? 0 : s_.factor; }
   double load_scale() const override { return c_.duration ? 0 : 1; }
 
+  bool sees_parts() const override { return true; }
   void sample(const SimulationView& view, Recorder& recorder) const override {
+    const std::vector<Motion> of = motions(view);
     recorder.set(factor_, s_.factor);
     if (force_ > 0) {
       double work = 0;
-      for (const Loaded& l : loads_) work += l.force.dot(l.group.displacement(view.particles));
+      for (std::size_t k = 0; k < loads_.size(); ++k)
+        work += loads_[k].force.dot(of[supports_.size() + k].displacement);
       recorder.set(load_, s_.factor * force_);
       recorder.set(load_displacement_, work / force_);
     }
-    recorder.set(unbalanced_, unbalanced(view.particles));
+    recorder.set(unbalanced_, unbalanced(view));
     std::size_t column = 0;
-    for (const double value : values(view.particles)) recorder.set(columns_[column++], value);
+    for (const double value : values(view, of)) recorder.set(columns_[column++], value);
   }
 
   double share_done() const override {
@@ -111,13 +118,13 @@ class EndLoad final : public Protocol {
 
   void finish(const SimulationView& view, const Curves&, Summary& summary) override {
     Json counts = Json::object();
-    for (std::size_t k = 0; k < s_.rotation.size(); ++k) counts[group(k).name()] = group(k).particles().size();
+    for (std::size_t k = 0; k < s_.rotation.size(); ++k) counts[group(k).name()] = group(k).rows().size();
     summary.own("particles", counts);
-    const std::vector<double> last = values(view.particles);
+    const std::vector<double> last = values(view, motions(view));
     for (std::size_t k = 0; k < last.size(); ++k) summary.own({names_[k].name, names_[k].unit}, last[k]);
     summary.own("load_factor_at_end", s_.factor);
     summary.own("load_factor_at_first_break", s_.factor_at_break < 0 ? Json() : Json(s_.factor_at_break));
-    summary.own("unbalanced_load_share_at_end", unbalanced(view.particles));
+    summary.own("unbalanced_load_share_at_end", unbalanced(view));
     summary.own({"ramp_time", "s"}, ramp_time_);
     const char* const by[] = {"request", "rest", "duration", "max_displacement", "max_time", "first break"};
     summary.own("stopped_by", by[std::size_t(s_.ended)]);
@@ -137,18 +144,18 @@ class EndLoad final : public Protocol {
     Vec3 force, moment;  ///< all of it [N], [N m]
   };
   struct OnParticle {
-    Index particle;
+    Index particle;      ///< row in the whole
+    double radius;       // [m]
     Vec3 force, torque;  // [N], [N m]
   };
-  void take_supports(const ParticlesView& p, LoadControl& control) {
-    held_.assign(p.size(), 0);
+  void take_supports(const SimulationView& view, LoadControl& control) {
     for (std::size_t k = 0; k < c_.supports.size(); ++k) {
       const Support& s = c_.supports[k];
       const std::string path = "supports[" + std::to_string(k) + "]";
       std::uint8_t mask = 0;
       for (const std::string& word : s.holds) mask |= held_by(word);
-      supports_.push_back({Group(s, group_name(s, k, "support"), path, shape_, p), mask});
-      for (const Index at : supports_.back().group.particles()) {
+      supports_.push_back({Group(s, group_name(s, k, "support"), path, shape_, view), mask});
+      for (const Index at : supports_.back().group.rows()) {
         if (held_[at] & mask)
           throw UserError("protocol end_load: " + path +
                           " holds what another support holds already: make `depth` smaller, or the ranges narrower");
@@ -158,8 +165,8 @@ class EndLoad final : public Protocol {
     }
   }
 
-  void take_loads(const ParticlesView& p) {
-    std::vector<std::size_t> row(p.size(), std::size_t(-1));
+  void take_loads(const SimulationView& view) {
+    std::map<Index, std::size_t> place;  // of a particle in `on_particles_`
     for (std::size_t k = 0; k < c_.loads.size(); ++k) {
       const Load& l = c_.loads[k];
       const std::string path = "loads[" + std::to_string(k) + "]";
@@ -167,20 +174,19 @@ class EndLoad final : public Protocol {
       if (space_.dimension == 2 && (force.z() != 0 || moment.x() != 0 || moment.y() != 0))
         throw UserError("protocol end_load: " + path +
                         ": in two dimensions a force has no z, and a moment nothing but z");
-      loads_.push_back({Group(l, group_name(l, k, "load"), path, shape_, p, l.share), force, moment});
+      loads_.push_back({Group(l, group_name(l, k, "load"), path, shape_, view, l.share), force, moment});
       const Group& group = loads_.back().group;
-      for (std::size_t n = 0; n < group.particles().size(); ++n) {
-        const Index at = group.particles()[n];
-        refuse_into_support(path, force, moment, held_[at]);
-        if (row[at] == std::size_t(-1)) {
-          row[at] = on_particles_.size();
-          on_particles_.push_back({at, Vec3::Zero(), Vec3::Zero()});
-        }
-        on_particles_[row[at]].force += group.weight(n) * force;
-        on_particles_[row[at]].torque += group.weight(n) * moment;
+      for (std::size_t n = 0; n < group.rows().size(); ++n) {
+        const Index at = group.rows()[n];
+        const auto held = held_.find(at);
+        refuse_into_support(path, force, moment, held == held_.end() ? std::uint8_t(0) : held->second);
+        const auto [to, is_new] = place.try_emplace(at, on_particles_.size());
+        if (is_new) on_particles_.push_back({at, group.radius(n), Vec3::Zero(), Vec3::Zero()});
+        on_particles_[to->second].force += group.weight(n) * force;
+        on_particles_[to->second].torque += group.weight(n) * moment;
       }
     }
-    for (const OnParticle& on : on_particles_) size_ += on.force.norm() + on.torque.norm() / p.radius[on.particle];
+    for (const OnParticle& on : on_particles_) size_ += on.force.norm() + on.torque.norm() / on.radius;
   }
   static void refuse_into_support(const std::string& path, const Vec3& force, const Vec3& moment, std::uint8_t held) {
     for (int c = 0; c < 6; ++c)
@@ -204,27 +210,46 @@ class EndLoad final : public Protocol {
     add("reaction_moment", "N m", "of the support on the specimen, about the middle of the group", true);
   }
   /// In the order of the columns.
-  std::vector<double> values(const ParticlesView& p) const {
+  std::vector<double> values(const SimulationView& view, const std::vector<Motion>& of) const {
+    const std::vector<Reaction> reactions = this->reactions(view, of);
     std::vector<double> all;
     const auto add = [&](const Vec3& v, bool turns) {
       for (int c = 0; c < 3; ++c)
         if (space_.dimension == 3 || (turns ? c == 2 : c < 2)) all.push_back(v[c]);
     };
     for (std::size_t k = 0; k < s_.rotation.size(); ++k) {
-      add(group(k).displacement(p), false);
+      add(of[k].displacement, false);
       add(s_.rotation[k], true);
       if (k >= supports_.size()) continue;
-      const Reaction r = group(k).reaction(p, supports_[k].mask);
-      add(r.force, false);
-      add(r.moment, true);
+      add(reactions[k].force, false);
+      add(reactions[k].moment, true);
     }
     return all;
+  }
+  /// Of all groups, supports first; one message.
+  std::vector<Motion> motions(const SimulationView& view) const {
+    std::vector<ExactSum> sums(9 * (supports_.size() + loads_.size()));
+    for (std::size_t k = 0; 9 * k < sums.size(); ++k) group(k).add_motion(view, std::span(sums).subspan(9 * k, 9));
+    const std::vector<double> all = view.sums(sums);
+    std::vector<Motion> of;
+    for (std::size_t k = 0; k < all.size(); k += 9)
+      of.push_back({Vec3::Map(&all[k]), Vec3::Map(&all[k + 3]), Vec3::Map(&all[k + 6])});
+    return of;
+  }
+  std::vector<Reaction> reactions(const SimulationView& view, const std::vector<Motion>& of) const {
+    std::vector<ExactSum> sums(6 * supports_.size());
+    for (std::size_t k = 0; k < supports_.size(); ++k)
+      group(k).add_reaction(view, supports_[k].mask, of[k].middle, std::span(sums).subspan(6 * k, 6));
+    const std::vector<double> all = view.sums(sums);
+    std::vector<Reaction> found;
+    for (std::size_t k = 0; k < all.size(); k += 6) found.push_back({Vec3::Map(&all[k]), Vec3::Map(&all[k + 3])});
+    return found;
   }
   const Group& group(std::size_t k) const {
     return k < supports_.size() ? supports_[k].group : loads_[k - supports_.size()].group;
   }
 
-  Ending end(const ParticlesView& p, double time, bool broke) {
+  Ending end(const SimulationView& now, const std::vector<Motion>& of, double time, bool broke) {
     if (s_.displacement >= max_displacement_) return Ending::max_displacement;
     if (broke && c_.stop_at_first_break) return Ending::first_break;
     const double after = time - s_.full_at;
@@ -232,7 +257,7 @@ class EndLoad final : public Protocol {
     if (c_.duration) return after >= c_.release_after.value_or(0) + *c_.duration ? Ending::duration : Ending::none;
     constexpr std::uint32_t steps_between = 20;  // a look goes over all particles
     if (s_.since_look++ % steps_between == 0) {
-      s_.unrest = std::max(unbalanced(p), std::sqrt(kinetic_share(p)));
+      s_.unrest = std::max(unbalanced(now), std::sqrt(kinetic_share(now, of)));
       if (s_.unrest <= c_.rest) return Ending::rest;
     }
     if (after < max_time_) return Ending::none;
@@ -245,14 +270,14 @@ class EndLoad final : public Protocol {
     return Ending::max_time;
   }
 
-  double unbalanced(const ParticlesView& p) const { return free_resultants(p) / size_; }
+  double unbalanced(const SimulationView& view) const { return free_resultants(view) / size_; }
   /// Over the work that the loads, as they are at the end, would have done at once.
-  double kinetic_share(const ParticlesView& p) const {
+  double kinetic_share(const SimulationView& now, const std::vector<Motion>& of) const {
     double work = 0;
     for (std::size_t k = 0; k < loads_.size(); ++k)
-      work += loads_[k].force.dot(loads_[k].group.displacement(p)) +
+      work += loads_[k].force.dot(of[supports_.size() + k].displacement) +
               loads_[k].moment.dot(s_.rotation[supports_.size() + k]);
-    const double kinetic = kinetic_energy(p, space_);
+    const double kinetic = kinetic_energy(now);
     return work > 0 ? kinetic / work : kinetic > 0 ? 1.0 : 0.0;
   }
 
@@ -266,7 +291,7 @@ class EndLoad final : public Protocol {
   std::vector<Supported> supports_;
   std::vector<Loaded> loads_;
   std::vector<OnParticle> on_particles_;
-  std::vector<std::uint8_t> held_;  ///< by the supports
+  std::map<Index, std::uint8_t> held_;  ///< by the supports, of rows in the whole
   std::vector<Column> names_;
   std::vector<std::size_t> columns_;  ///< of `names_`
   std::size_t factor_ = 0, unbalanced_ = 0, load_ = 0, load_displacement_ = 0;

@@ -11,64 +11,79 @@ struct Reaction {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  // [N], about the middle of the group [N m]
 };
 
+/// Of all its particles, weighted as the load is shared.
+struct Motion {
+  Vec3 displacement, spin, middle;  // [m], [rad/s], [m]
+};
+
 class Group {
  public:
   /// `path`: where the workflow speaks of it. UserError when no particle lies there.
   Group(const Place& place, std::string name, const std::string& path, const SpecimenShape& shape,
-        const ParticlesView& p, Share share = Share::equal)
+        const SimulationView& view, Share share = Share::equal)
       : name_(std::move(name)) {
-    const Layer layer(place, shape, p);
-    double nearest = 1e300, sum = 0;
-    for (Index k = 0; k < p.size(); ++k) {
+    const ParticlesView& p = view.particles;
+    const Layer layer(place, shape, view);
+    double nearest = 1e300;
+    ExactSumOf<double> sum;
+    for (const std::size_t k : view.own_particles()) {
       const double off = layer.off(p.position[k]);
       nearest = std::min(nearest, off);
       if (off > layer.tolerance || !in_ranges(place, p.position[k], layer.tolerance)) continue;
-      particles_.push_back(k);
+      rows_.push_back(view.row_in_whole(k));
       weight_.push_back(share == Share::mass ? p.mass[k] : 1.0);
-      sum += weight_.back();
+      radius_.push_back(p.radius[k]);
+      sum.add(weight_.back());
     }
-    if (particles_.empty()) throw UserError(nothing(path, layer, nearest));
-    for (double& w : weight_) w /= sum;
+    rows_ = view.all(rows_);
+    weight_ = view.all(weight_);
+    radius_ = view.all(radius_);
+    nearest = -view.max(-nearest);
+    if (rows_.empty()) throw UserError(nothing(path, layer, nearest));
+    const double all = view.sum(sum);
+    for (double& w : weight_) w /= all;
   }
 
   const std::string& name() const { return name_; }
-  const std::vector<Index>& particles() const { return particles_; }
+  const std::vector<Index>& rows() const { return rows_; }  ///< of its particles in the whole, ascending
   double weight(std::size_t k) const { return weight_[k]; }
+  double radius(std::size_t k) const { return radius_[k]; }  // [m]
 
-  Vec3 displacement(const ParticlesView& p) const {
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t k = 0; k < particles_.size(); ++k)
-      sum += weight_[k] * (p.position[particles_[k]] - p.initial_position[particles_[k]]);
-    return sum;
+  /// Nine numbers, of which the sums over all parts make a `Motion`.
+  void add_motion(const SimulationView& view, std::span<ExactSum> to) const {
+    const ParticlesView& p = view.particles;
+    view.for_each_own(rows_, [&](std::size_t n, std::size_t k) {
+      add(weight_[n] * (p.position[k] - p.initial_position[k]), to.subspan(0, 3));
+      add(weight_[n] * p.angular_velocity[k], to.subspan(3, 3));
+      add(weight_[n] * p.position[k], to.subspan(6, 3));
+    });
   }
-  Vec3 spin(const ParticlesView& p) const {
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t k = 0; k < particles_.size(); ++k) sum += weight_[k] * p.angular_velocity[particles_[k]];
-    return sum;
-  }
-  /// On the specimen, by what holds the components `mask`.
-  Reaction reaction(const ParticlesView& p, std::uint8_t mask) const {
-    Vec3 middle = Vec3::Zero();
-    for (std::size_t k = 0; k < particles_.size(); ++k) middle += weight_[k] * p.position[particles_[k]];
-    Reaction r;
-    for (const Index k : particles_) {
+  /// Six numbers, likewise, of a `Reaction` on the specimen, by what holds the components `mask`.
+  void add_reaction(const SimulationView& view, std::uint8_t mask, const Vec3& middle, std::span<ExactSum> to) const {
+    const ParticlesView& p = view.particles;
+    view.for_each_own(rows_, [&](std::size_t, std::size_t k) {
       Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
       for (int c = 0; c < 3; ++c) {
         if (mask >> c & 1) force[c] = -p.force[k][c];
         if (mask >> (c + 3) & 1) torque[c] = -p.torque[k][c];
       }
-      r.force += force;
-      r.moment += torque + Vec3(p.position[k] - middle).cross(force);
-    }
-    return r;
+      add(force, to.subspan(0, 3));
+      add(torque + Vec3(p.position[k] - middle).cross(force), to.subspan(3, 3));
+    });
   }
 
  private:
+  static void add(const Vec3& v, std::span<ExactSum> to) {
+    for (std::size_t c = 0; c < 3; ++c) to[c].add(v[Eigen::Index(c)]);
+  }
+
   /// A layer across the axis; without a height all of the specimen.
   struct Layer {
-    Layer(const Place& place, const SpecimenShape& s, const ParticlesView& p) : shape(s), tolerance(1e-9 * s.height) {
+    Layer(const Place& place, const SpecimenShape& s, const SimulationView& view)
+        : shape(s), tolerance(1e-9 * s.height) {
       double largest = 0;
-      for (const double r : p.radius) largest = std::max(largest, r);
+      for (const std::size_t k : view.own_particles()) largest = std::max(largest, view.particles.radius[k]);
+      largest = view.max(largest);
       const bool end = place.at && *place.at != At::middle;
       any = !place.at && !place.height;
       if (place.height) middle = *place.height;
@@ -108,8 +123,9 @@ class Group {
   }
 
   std::string name_;
-  std::vector<Index> particles_;
+  std::vector<Index> rows_;
   std::vector<double> weight_;  ///< their sum is 1
+  std::vector<double> radius_;
 };
 
 }  // namespace breccia::end_load

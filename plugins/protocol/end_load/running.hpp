@@ -2,6 +2,7 @@
 /// What changes while the test runs, and how far from rest a specimen is.
 #pragma once
 
+#include "breccia/block_sum.hpp"
 #include "breccia/protocol.hpp"
 #include "breccia/protocol_tools/smooth_ramp.hpp"
 
@@ -37,26 +38,28 @@ struct Running {
 };
 
 /// Sum of the resultants on what is free, torques over the radii [N].
-inline double free_resultants(const ParticlesView& p) {
-  double sum = 0;
-  for (Index k = 0; k < p.size(); ++k) {
+inline double free_resultants(const SimulationView& view) {
+  const ParticlesView& p = view.particles;
+  BlockSum<double> sum(view);
+  for (const std::size_t k : view.own_particles()) {
     Vec3 force = p.force[k], torque = p.torque[k];
     for (int c = 0; c < 3; ++c) {
       if (p.held[k] >> c & 1) force[c] = 0;
       if (p.held[k] >> (c + 3) & 1) torque[c] = 0;
     }
-    sum += force.norm() + torque.norm() / p.radius[k];
+    sum.add(k, force.norm() + torque.norm() / p.radius[k]);
   }
-  return sum;
+  return view.sum(sum.exact());
 }
 
 /// In all [J].
-inline double kinetic_energy(const ParticlesView& p, const Space& space) {
-  double sum = 0;
-  for (Index k = 0; k < p.size(); ++k)
-    sum += 0.5 * p.mass[k] *
-           (p.velocity[k].squaredNorm() + space.gyration(p.radius[k]) * p.angular_velocity[k].squaredNorm());
-  return sum;
+inline double kinetic_energy(const SimulationView& view) {
+  const ParticlesView& p = view.particles;
+  BlockSum<double> sum(view);
+  for (const std::size_t k : view.own_particles())
+    sum.add(k, 0.5 * p.mass[k] *
+                   (p.velocity[k].squaredNorm() + view.gyration(p.radius[k]) * p.angular_velocity[k].squaredNorm()));
+  return view.sum(sum.exact());
 }
 
 }  // namespace breccia::end_load
