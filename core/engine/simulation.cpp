@@ -87,7 +87,7 @@ void Simulation::prepare() {
 
 std::optional<StepSetter> Simulation::step_setter(double ratio) {
   const auto found = find_step_setter(state_, laws_, incidence_, reach_, bound_, ratio, settings_.threads, link());
-  if (found) gather();  // who asks wants to know more of it
+  if (found) gather(false);  // who asks wants to know more of it
   return found;
 }
 

@@ -40,11 +40,11 @@ void OneRun::tell_of_ranks() {
   const double seconds = simulation_->seconds_gathering();
   if (ranks_.several())
     monitor_.info(
-        fmt::format("the parts of the specimen were brought together {} time{} for checks, plugins and checkpoints",
+        fmt::format("the parts of the specimen were brought together {} time{} for checks and plugins",
                     simulation_->gatherings(), simulation_->gatherings() == 1 ? "" : "s"));
   if (ranks_.several() && seconds > 0.05 * loop_seconds_)
     monitor_.info(
-        fmt::format("bringing the specimen together for measurements, files and checkpoints took {:.1f} s, "
+        fmt::format("bringing the specimen together for measurements and files took {:.1f} s, "
                     "that is {:.0f} % of the time of all steps: sample less often",
                     seconds, 100 * seconds / loop_seconds_));
 }
