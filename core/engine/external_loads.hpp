@@ -50,29 +50,23 @@ class ExternalLoads {
   /// As they stand: the protocol's changes have left their rounding in them.
   void archive(SpecimenArchive& archive, const Particles& p) {
     std::vector<Vec3> force(p.size(), Vec3::Zero()), torque = force;
-    std::vector<std::uint8_t> groups((archive.size() + group - 1) / group);
+    std::vector<std::uint8_t> groups((p.end_own() - p.first_own() + group - 1) / group);
+    const auto group_of = [&](std::size_t a) -> std::uint8_t& { return groups.at((a - p.first_own()) / group); };
     if (!archive.reading())
-      for (std::size_t a = 0; a < p.size(); ++a)
+      for (std::size_t a = p.first_own(); a < p.end_own(); ++a)
         if (const Load* const load = of(a)) {
-          groups[a / group] = 1;
+          group_of(a) = 1;
           force[a] = load->force;
           torque[a] = load->torque;
         }
     archive.by_id("force", Strided<Vec3>(force));
     archive.by_id("torque", Strided<Vec3>(torque));
-    archive.plain()("groups", groups);
+    archive.own_records("groups", groups);
     if (!archive.reading()) return;
     clear(p);
     for (std::size_t a = p.first_own(); a < p.end_own(); ++a)
-      if (groups.at((a + shift_) / group)) row(a) = {force[a], torque[a]};
+      if (group_of(a)) row(a) = {force[a], torque[a]};
   }
-  /// Calls `f(row of the whole, load)` for all that have memory.
-  template <class F>
-  void for_each(const Particles& p, F&& f) const {
-    for (std::size_t a = p.first_own(); a < p.end_own(); ++a)
-      if (const Load* const load = of(a)) f(p.row_of(a), *load);
-  }
-  void put(Index particle, const Load& load) { row(particle) = load; }
   void clear(const Particles& p) {
     rows_.clear();
     shift_ = p.shift();

@@ -60,10 +60,9 @@ void Parts::stand(Particles& p, const std::vector<Index>& rows) {
   RankLink::Copies copies{first, end - first, {}, {}, {}};
   for (std::size_t k = 0; k < rows.size(); ++k) {
     if (k >= first && k < end) continue;
-    const auto owner = std::upper_bound(first_row_.begin(), first_row_.end(), rows[k]) - first_row_.begin() - 1;
     copies.at.push_back(Index(k));
-    copies.owner.push_back(int(owner));
-    copies.in_owner.push_back(rows[k] - first_row(int(owner)));
+    copies.owner.push_back(owner(rows[k]));
+    copies.in_owner.push_back(rows[k] - first_row(copies.owner.back()));
   }
   link_->follow(copies);
 }
@@ -141,29 +140,45 @@ State Parts::whole(State& s, bool everywhere) const {
   return w;
 }
 
+Parts::CrackPlaces Parts::crack_places(const Bonds& bonds, const Particles& p) const {
+  CrackPlaces found;
+  std::vector<CrackKey> own;
+  for (std::size_t b = first_counted(bonds.i, p); b < bonds.size(); ++b)
+    if (const Index c = bonds.crack_of[b]; c != BondsView::no_crack) {
+      found.bond.push_back(b);
+      own.push_back(crack_keys_[c]);
+    }
+  const auto before = [](const CrackKey& a, const CrackKey& b) {
+    return a.step != b.step ? a.step < b.step : a.place < b.place;
+  };
+  std::vector<CrackKey> all = gathered(own, true);
+  std::sort(all.begin(), all.end(), before);
+  for (const CrackKey& key : own)
+    found.place.push_back(std::size_t(std::lower_bound(all.begin(), all.end(), key, before) - all.begin()));
+  found.total = all.size();
+  return found;
+}
+
+/// Those of the whole in the order in which they came, on the first rank or everywhere, with the bonds they are of.
 std::vector<Crack> Parts::cracks(const Bonds& bonds, const Particles& p, std::vector<Index>& crack_of,
                                  bool everywhere) const {
   struct Broken {
-    CrackKey key;
-    Index bond;
+    std::size_t place, bond;
     Crack crack;
   };
   const std::size_t first = first_counted(bonds.i, p), counted = bonds.size() - first, bonds_before = before(counted);
+  const CrackPlaces own = crack_places(bonds, p);
   std::vector<Broken> broken;
-  for (std::size_t b = first; b < bonds.size(); ++b)
-    if (const Index c = bonds.crack_of[b]; c != BondsView::no_crack)
-      broken.push_back({crack_keys_[c], Index(b - first + bonds_before), bonds.cracks[c]});
+  for (std::size_t k = 0; k < own.bond.size(); ++k)
+    broken.push_back({own.place[k], own.bond[k] - first + bonds_before, bonds.cracks[bonds.crack_of[own.bond[k]]]});
   broken = gathered(broken, everywhere);
-  std::sort(broken.begin(), broken.end(), [](const Broken& a, const Broken& b) {
-    return a.key.step != b.key.step ? a.key.step < b.key.step : a.key.place < b.key.place;
-  });
   const std::vector<std::size_t> of_all = link_->numbers_of_all(counted);
   crack_of.assign(everywhere || link_->first() ? std::accumulate(of_all.begin(), of_all.end(), std::size_t(0)) : 0,
                   BondsView::no_crack);
-  std::vector<Crack> all;
+  std::vector<Crack> all(broken.size());
   for (const Broken& b : broken) {
-    crack_of[b.bond] = Index(all.size());
-    all.push_back(b.crack);
+    crack_of[b.bond] = Index(b.place);
+    all[b.place] = b.crack;
   }
   return all;
 }

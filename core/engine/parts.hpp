@@ -39,6 +39,9 @@ class Parts {
   Index first_row() const { return first_row(link_->rank()); }
   Index end_row() const { return first_row(link_->rank() + 1); }
   std::size_t rows() const { return first_row_.back(); }
+  int owner(Index row) const {
+    return int(std::upper_bound(first_row_.begin(), first_row_.end(), row) - first_row_.begin()) - 1;
+  }
   int changes() const { return changes_; }  ///< how often particles have got another owner
 
   /// Of particles alone: either all, the same on all ranks, of which the own ones stay, or what `assemble` made of this
@@ -47,9 +50,13 @@ class Parts {
   /// The specimen as it is, on the first rank or everywhere; elsewhere the lists of particles, pairs, bonds and touches
   /// are empty. Those of the given state are left as they are.
   State whole(State& part, bool everywhere) const;
-  /// Cracks of the whole in the order in which they came, on the first rank or everywhere, with the bonds they are of.
-  std::vector<Crack> cracks(const Bonds& bonds, const Particles& particles, std::vector<Index>& crack_of,
-                            bool everywhere) const;
+  /// Of bonds that are counted here and have broken: which they are, and where their cracks stand among those of the
+  /// whole, in the order in which they came. All ranks ask together.
+  struct CrackPlaces {
+    std::vector<std::size_t> bond, place;
+    std::size_t total = 0;
+  };
+  CrackPlaces crack_places(const Bonds& bonds, const Particles& particles) const;
 
   /// Work is dealt anew: particles, with all that is known of them, go to whom they belong to now; copies of others
   /// have their place, and `renew_copies` fills it. `contacts`: other pairs that are known by their particles. What
@@ -98,6 +105,8 @@ class Parts {
   std::size_t before(std::size_t own) const;
 
  private:
+  std::vector<Crack> cracks(const Bonds& bonds, const Particles& particles, std::vector<Index>& crack_of,
+                            bool everywhere) const;
   void stand(Particles& p, const std::vector<Index>& rows);
   void give_places(State& part, const std::vector<Index>& rows);
   std::vector<Index> rows_of_others(const State& part, const std::vector<std::vector<Index>>& asked, double skin) const;

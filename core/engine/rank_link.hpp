@@ -5,11 +5,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "breccia/types.hpp"
+#include "engine/shared_lists.hpp"
 
 namespace breccia {
 
@@ -45,6 +47,9 @@ class RankLink {
   /// be worked on between the two.
   virtual void begin_forward(void* records, std::size_t record_bytes) = 0;
   virtual void end_forward(void* records, std::size_t record_bytes) = 0;
+
+  /// A new file that all write together, with so many bytes left free at its beginning.
+  virtual std::unique_ptr<SharedFile> shared_file(const std::string& path, std::size_t bytes_ahead) = 0;
 
   /// From which imbalance on particles change their ranks; that of the busiest over the mean, less 1.
   virtual double tolerated_imbalance() const { return 0.2; }

@@ -63,12 +63,9 @@ class Simulation final : public LoadControl {
   /// Of such a part the whole, brought together on the first rank, or everywhere; all ranks call it together. The
   /// others then see no lists.
   SimulationView whole(const SimulationView& part, bool everywhere = false);
-  /// Of a specimen in parts this rank's; on the first rank all of it from `view()` or `gather()` until the next call
-  /// that changes anything; the others then see no lists.
+  /// Of a specimen in parts this rank's; on the first rank all of it from `view()` until the next call that changes
+  /// anything; the others then see no lists.
   const State& state() const { return whole_ ? whole_->state : state_; }
-  /// Brings the parts of the specimen together on the first rank, for `state` and for writing a checkpoint; all ranks
-  /// call it together. Nothing where there is one.
-  void gather();
   std::size_t pairs() const { return pairs_; }  ///< of the whole specimen, when the list was made
   std::size_t all_particles() const { return parts_ ? parts_->rows() : state_.particles.size(); }
   std::size_t all_bonds() const;  ///< ever made, of the whole specimen; all ranks ask together
@@ -90,7 +87,7 @@ class Simulation final : public LoadControl {
 
   /// Between a step's `advance()` and the next one's `forces()`: all that the steps to come depend on. Read into a
   /// simulation of the same packing, bonds, laws and walls, on which `prepare()` was called; any number of threads and
-  /// ranks: all read it together, the first writes what `gather()` has brought there.
+  /// ranks: all read and write together, each its share of the lists, through an archive that has `SharedLists`.
   /// UserError when it has another number of walls.
   void archive(Archive& archive);
   /// After `bond()`: the particles, bonds and contacts of such a state, of the same packing, bonds and laws, for
@@ -134,16 +131,17 @@ class Simulation final : public LoadControl {
   std::optional<PartOfSpecimen> part_of_specimen(OtherParts* others) const;
   void balance();
   void deal_again();
-  void gather(bool for_archive, bool everywhere);
+  void gather(bool everywhere);
   void see_particles() const;
   void rebuild();
   void deal_pairs();
   void archive_state(Archive& archive);
   void archive_lists(SpecimenArchive& archive);
+  void count_lists(SpecimenArchive& archive);
   void find_lists(SpecimenArchive& archive);
   void archive_bonds(SpecimenArchive& archive);
   void archive_pairs(SpecimenArchive& archive);
-  void archive_accounts(Archive& archive);
+  void archive_accounts(SpecimenArchive& archive);
   void look();
   void add_mass_for_step();
   double share_of_critical() const;
@@ -181,12 +179,6 @@ class Simulation final : public LoadControl {
   struct Whole {
     State state;
     bool everywhere = false;
-    // For a checkpoint.
-    bool for_archive = false;
-    SpectralStep spectral;
-    ExternalLoads loads;
-    std::vector<Dissipated> chunk_dissipated;
-    std::vector<BlockAccount> block_accounts;
   };
   std::unique_ptr<Whole> whole_;
   mutable std::optional<Particles> seen_;  ///< those of all ranks, for a protocol

@@ -61,19 +61,7 @@ void SpectralStep::archive(SpecimenArchive& archive, std::size_t particles) {
 
 void Simulation::archive(Archive& archive) {
   const std::size_t walls = state_.walls.size();
-  const bool of_whole = link() && !archive.reading();
-  const auto swap_whole = [&] {
-    if (!of_whole) return;
-    BRECCIA_ASSERT(whole_ && whole_->for_archive);
-    std::swap(state_, whole_->state);
-    std::swap(spectral_, whole_->spectral);
-    std::swap(loads_, whole_->loads);
-    chunk_dissipated_.swap(whole_->chunk_dissipated);
-    block_accounts_.swap(whole_->block_accounts);
-  };
-  swap_whole();
   archive_state(archive);
-  swap_whole();
   if (archive.reading()) {
     whole_.reset();
     seen_.reset();
@@ -86,8 +74,8 @@ void Simulation::archive(Archive& archive) {
 void Simulation::archive_state(Archive& archive) {
   BRECCIA_ASSERT(!forces_known_ && led_.empty() && !mass_pending_ && (archive.reading() || !any_led_));
   State& s = state_;
-  SpecimenArchive lists(archive, s.particles, archive.reading() && parts_ ? &*parts_ : nullptr);
-  if (lists.parts()) find_lists(lists);
+  SpecimenArchive lists(archive, s.particles, parts_ ? &*parts_ : nullptr);
+  if (lists.parts()) archive.reading() ? find_lists(lists) : count_lists(lists);
   archive("time", s.time);
   archive("time_step", s.time_step);
   archive("step", s.step);
@@ -107,6 +95,7 @@ void Simulation::archive_state(Archive& archive) {
   archive("bound_step", bound_);
   archive("reach", reach_);
   archive("added_mass", added_mass_);
+  if (link() && !archive.reading()) look_at_all_ = link()->any(look_at_all_);  // whose particle was released knows
   archive("look_at_all", look_at_all_);
   archive("any_applied", any_applied_);
   archive("loading_started", loading_started_);
@@ -176,6 +165,16 @@ void Simulation::adapt() {
   rebuild();
 }
 
+/// Of a part: what is counted here of pairs and bonds, and where that stands in the lists of the whole.
+void Simulation::count_lists(SpecimenArchive& archive) {
+  const auto count = [&](const std::vector<Index>& i, SpecimenArchive::Listed& of) {
+    of.counted = first_counted(i, state_.particles);
+    of.share = archive.counted_share(i.size() - of.counted);
+  };
+  count(state_.pairs.i, archive.pairs);
+  count(state_.bonds.i, archive.bonds);
+}
+
 /// Of a part: its pairs and bonds, and copies of all that they meet. What was known before of either goes.
 void Simulation::find_lists(SpecimenArchive& archive) {
   State& s = state_;
@@ -187,26 +186,16 @@ void Simulation::find_lists(SpecimenArchive& archive) {
   for (Index row = parts_->first_row(); row < parts_->end_row(); ++row) met.push_back(row);
   for (const auto* of : {&contacts_.i, &contacts_.j})
     for (const Index a : *of) met.push_back(s.particles.row_of(a));
-  const auto find = [&](const char* group_name, std::vector<Index>& i, std::vector<Index>& j,
-                        std::vector<Index>& kept) {
-    const Archive::Group group(archive.plain(), group_name);
-    std::vector<Index> all_i, all_j;
-    archive.rows("i", all_i);
-    archive.rows("j", all_j);
-    const auto own = [&](Index row) { return row >= parts_->first_row() && row < parts_->end_row(); };
-    kept.clear();
-    for (Index k = 0; k < std::min(all_i.size(), all_j.size()); ++k) {
-      if (!own(all_i[k]) && !own(all_j[k])) continue;
-      kept.push_back(k);
-      i.push_back(all_i[k]);
-      j.push_back(all_j[k]);
-    }
-    met.insert(met.end(), i.begin(), i.end());
-    met.insert(met.end(), j.begin(), j.end());
-  };
   std::vector<Index> pair_i, pair_j, bond_i, bond_j;
-  find("pairs", pair_i, pair_j, archive.kept_pairs);
-  find("bonds", bond_i, bond_j, archive.kept_bonds);
+  {
+    const Archive::Group group(archive.plain(), "pairs");
+    archive.find_rows(pair_i, pair_j, archive.pairs);
+  }
+  {
+    const Archive::Group group(archive.plain(), "bonds");
+    archive.find_rows(bond_i, bond_j, archive.bonds);
+  }
+  for (const auto* of : {&pair_i, &pair_j, &bond_i, &bond_j}) met.insert(met.end(), of->begin(), of->end());
   std::sort(met.begin(), met.end());
   met.erase(std::unique(met.begin(), met.end()), met.end());
   parts_->place(s, contacts_, met);
@@ -223,43 +212,26 @@ void Simulation::find_lists(SpecimenArchive& archive) {
 void Simulation::archive_bonds(SpecimenArchive& archive) {
   Bonds& b = state_.bonds;
   const Archive::Group group(archive.plain(), "bonds");
-  if (!archive.parts()) {
-    archive.rows("i", b.i);
-    archive.rows("j", b.j);
-    archive.plain()("pair", b.pair);
-  }
-  archive.list("initial_distance", b.initial_distance, archive.kept_bonds);
-  archive.list("state", b.state, archive.kept_bonds);
-  archive.list("guarded", b.guarded, archive.kept_bonds);
-  archive.list("crack_of", b.crack_of, archive.kept_bonds);
-  archive.plain().records("cracks", b.cracks, std::pair("time", &Crack::time), std::pair("position", &Crack::position),
-                          std::pair("normal", &Crack::normal), std::pair("energy", &Crack::energy));
-  archive.list("released", b.released, archive.kept_bonds);
-  if (!archive.parts()) return;
-  std::vector<Index> kept;
-  for (const Index c : b.crack_of)
-    if (c != BondsView::no_crack) kept.push_back(c);
-  std::sort(kept.begin(), kept.end());
-  const std::vector<Index> here = inverse(kept, b.cracks.size());
-  pick(b.cracks, kept);
-  for (Index& c : b.crack_of)
-    if (c != BondsView::no_crack) c = here.at(c);
-  parts_->know_cracks(kept);
+  archive.rows("i", b.i, archive.bonds);
+  archive.rows("j", b.j, archive.bonds);
+  archive.links("pair", b.pair, archive.bonds, archive.pairs);
+  archive.list("initial_distance", b.initial_distance, archive.bonds);
+  archive.list("state", b.state, archive.bonds);
+  archive.list("guarded", b.guarded, archive.bonds);
+  const std::vector<Index> cracks = archive.cracks(b);
+  archive.list("released", b.released, archive.bonds);
+  if (archive.parts() && archive.reading()) parts_->know_cracks(cracks);
 }
 
 void Simulation::archive_pairs(SpecimenArchive& archive) {
   Pairs& q = state_.pairs;
   const Archive::Group group(archive.plain(), "pairs");
-  archive.list("state", q.state, archive.kept_pairs);
-  if (!archive.parts()) {
-    archive.rows("i", q.i);
-    archive.rows("j", q.j);
-    archive.plain()("bond", q.bond);
-  }
-  archive.list("rest_length", q.rest_length, archive.kept_pairs);
-  archive.plain()("history", q.columns);
-  if (archive.parts())
-    for (auto& column : q.columns) pick(column, archive.kept_pairs);
+  archive.list("state", q.state, archive.pairs);
+  archive.rows("i", q.i, archive.pairs);
+  archive.rows("j", q.j, archive.pairs);
+  archive.links("bond", q.bond, archive.pairs, archive.bonds);
+  archive.list("rest_length", q.rest_length, archive.pairs);
+  archive.lists("history", q.columns, archive.pairs);
   if (!archive.reading()) return;
   q.force.assign(q.size(), PairForce{});
   if (laws_.has_moments()) q.moment.assign(q.size(), Vec3::Zero());
@@ -270,7 +242,7 @@ void Simulation::archive_lists(SpecimenArchive& lists) {
   Archive& archive = lists.plain();
   archive_bonds(lists);
   archive_pairs(lists);
-  if (lists.parts()) link_bonds(s.pairs, s.bonds);
+  if (lists.parts() && archive.reading()) link_bonds(s.pairs, s.bonds);
   lists.touches("wall_touches", s.wall_touches);
   lists.by_id("positions_at_rebuild", s.positions_at_rebuild);
   archive("cell_at_rebuild", s.cell_at_rebuild);
@@ -283,29 +255,21 @@ void Simulation::archive_lists(SpecimenArchive& lists) {
   archive("walls_moved_since_look", s.walls_moved_since_look);
   archive("strained_since_look", s.strained_since_look);
   if (archive.reading()) deal_pairs();
-  archive_accounts(archive);
+  archive_accounts(lists);
   if (archive.reading()) led_work_ = {};
 }
 
 /// Not yet in the ledger: added up there when it is looked at, and at no other time.
-void Simulation::archive_accounts(Archive& archive) {
-  std::vector<Dissipated> of_chunks;
-  std::vector<BlockAccount> of_blocks;
-  if (!archive.reading()) {
-    archive("chunk_dissipated", chunk_dissipated_);
-    archive("block_accounts", block_accounts_);
-    return;
-  }
-  archive("chunk_dissipated", of_chunks);
-  archive("block_accounts", of_blocks);
-  const std::size_t laws = laws_.size(), first = chunks_.first_counted() * laws;
-  const auto take = [&]<class T>(const std::vector<T>& all, std::span<T> own) {
-    const std::size_t at = link() ? parts_->before(own.size()) : 0;
-    if (at + own.size() > all.size()) throw UserError("the accounts of energies are not those of these particles");
-    std::copy_n(all.begin() + std::ptrdiff_t(at), own.size(), own.begin());
+void Simulation::archive_accounts(SpecimenArchive& lists) {
+  const auto archive = [&]<class T>(std::string_view name, std::span<T> own) {
+    std::vector<T> records(own.begin(), own.end());
+    lists.own_records(name, records);
+    if (any_rank(link(), records.size() != own.size()))
+      throw UserError("the accounts of energies are not those of these particles");
+    std::copy(records.begin(), records.end(), own.begin());
   };
-  take(of_chunks, std::span(chunk_dissipated_).subspan(first));
-  take(of_blocks, std::span(block_accounts_));
+  archive("chunk_dissipated", std::span(chunk_dissipated_).subspan(chunks_.first_counted() * laws_.size()));
+  archive("block_accounts", std::span(block_accounts_));
 }
 
 }  // namespace breccia

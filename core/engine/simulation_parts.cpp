@@ -22,40 +22,13 @@ class Stopwatch {
 
 }  // namespace
 
-void Simulation::gather() {
-  if (link()) gather(true, false);
-}
-
-void Simulation::gather(bool for_archive, bool everywhere) {
-  if (whole_ && (whole_->for_archive || !for_archive) && (whole_->everywhere || !everywhere)) return;
+void Simulation::gather(bool everywhere) {
+  if (!link() || (whole_ && (whole_->everywhere || !everywhere))) return;
   const Stopwatch watch(seconds_gathering_);
   gatherings_ += !everywhere;
   auto whole = std::make_unique<Whole>();
   whole->everywhere = everywhere;
-  whole->for_archive = for_archive;
-  if (for_archive) {
-    const Particles& p = state_.particles;
-    whole->chunk_dissipated = parts_->gathered(
-        std::span<const Dissipated>(chunk_dissipated_).subspan(chunks_.first_counted() * laws_.size()), everywhere);
-    whole->block_accounts = parts_->gathered(block_accounts_, everywhere);
-    whole->spectral = spectral_;
-    whole->spectral.mode_ = parts_->gathered_rows(spectral_.mode_, p, everywhere);
-    if (!whole->spectral.mode_.empty()) whole->spectral.mode_.push_back(Vec6::Zero());
-    std::vector<WallTouch> touches = spectral_.known_touches_;
-    for (WallTouch& t : touches) t.particle = p.row_of(t.particle);
-    touches = parts_->gathered(touches, everywhere);
-    std::stable_sort(touches.begin(), touches.end(),
-                     [](const WallTouch& a, const WallTouch& b) { return a.wall < b.wall; });
-    whole->spectral.known_touches_.swap(touches);
-    std::vector<std::pair<Index, ExternalLoads::Load>> loads;
-    loads_.for_each(p, [&](Index row, const ExternalLoads::Load& load) { loads.emplace_back(row, load); });
-    loads = parts_->gathered(loads, everywhere);
-    whole->state = parts_->whole(state_, everywhere);
-    whole->loads.clear(whole->state.particles);
-    for (const auto& [row, load] : loads) whole->loads.put(row, load);
-  } else {
-    whole->state = parts_->whole(state_, everywhere);
-  }
+  whole->state = parts_->whole(state_, everywhere);
   whole_ = std::move(whole);
 }
 

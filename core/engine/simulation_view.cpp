@@ -122,7 +122,7 @@ SimulationView Simulation::part(OtherParts* others) {
 
 SimulationView Simulation::whole(const SimulationView& part, bool everywhere) {
   if (!link()) return part;
-  gather(false, everywhere);
+  gather(everywhere);
   SimulationView v = show(state(), shown_whole_);
   v.energy = part.energy;
   return v;

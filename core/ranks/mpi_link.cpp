@@ -11,6 +11,7 @@
 
 #include "breccia/error.hpp"
 #include "engine/rank_link.hpp"
+#include "ranks/shared_hdf5.hpp"
 
 namespace breccia {
 namespace {
@@ -132,6 +133,10 @@ class MpiLink final : public RankLink {
   }
   void end_forward(void* records, std::size_t bytes) override {
     must(PetscSFBcastEnd(copies_, of_size(bytes), own_of(records, bytes), records, MPI_REPLACE));
+  }
+
+  std::unique_ptr<SharedFile> shared_file(const std::string& path, std::size_t bytes_ahead) override {
+    return shared_hdf5(path, bytes_ahead, comm_);
   }
 
   bool all_end() override {

@@ -15,9 +15,14 @@ namespace breccia {
 namespace fs = std::filesystem;
 
 Checkpoints::Checkpoints(const CheckpointsConfig& config, const fs::path& folder, const Curves& curves,
-                         std::function<std::vector<std::string>(Archive&)> write, Host& host)
-    : config_(config), folder_(folder / "checkpoints"), curves_(curves), write_(std::move(write)), host_(host) {
-  if (!config.every_strain) return;
+                         std::function<std::vector<std::string>(Archive&)> write, const RunRanks& ranks, Host& host)
+    : config_(config),
+      folder_(folder / "checkpoints"),
+      curves_(curves),
+      write_(std::move(write)),
+      ranks_(ranks),
+      host_(host) {
+  if (!config.every_strain || !ranks.first()) return;
   if (const Column* const c = role::find(curves.columns(), {role::strain, role::machine_strain}))
     strain_curve_ = c->name;
   else
@@ -58,6 +63,7 @@ void Checkpoints::write(const RunProgress& now) {
     save(now);
     failing_ = false;
   } catch (const UserError& e) { missed(now, e.what()); } catch (const std::bad_alloc&) {
+    if (ranks_.several()) throw;  // the others wait for this one
     missed(now, out_of_memory());
   }
   start_from(now);
@@ -72,8 +78,10 @@ void Checkpoints::missed(const RunProgress& now, const std::string& why) {
 }
 
 void Checkpoints::save(const RunProgress& now) {
-  ArchiveSize size;
-  if (const auto unknown = write_(size); !unknown.empty()) {
+  ArchiveSize size(ranks_.first());
+  std::vector<std::string> unknown;
+  ranks_.together([&] { unknown = write_(size); });
+  if (any_rank(ranks_.link(), !unknown.empty())) {
     impossible_ = true;
     host_.warn(
         fmt::format("this run has no checkpoints and cannot go on once it is stopped: {} does not say what changes "
@@ -81,14 +89,37 @@ void Checkpoints::save(const RunProgress& now) {
                     fmt::join(unknown, ", ")));
     return;
   }
-  const auto writer = begin_checkpoint(size.bytes());
+  const fs::path file = folder_ / checkpoint_name(now.step);
+  if (ranks_.several()) save_together(ranks_.told(file.string()), size.bytes());
+  else save(file, size.bytes());
+  if (!ranks_.first()) return;
+  std::error_code error;
+  const auto there = checkpoints_in(folder_);
+  for (std::size_t k = std::size_t(config_.keep); k < there.size(); ++k) fs::remove(there[k], error);
+}
+
+void Checkpoints::save(const fs::path& file, std::size_t bytes) {
+  const auto writer = begin_checkpoint(bytes);
   (void)write_(*writer);
+  make_folder();
+  writer->commit(file);
+}
+
+void Checkpoints::save_together(const fs::path& file, std::size_t bytes) {
+  ranks_.together([&] {
+    if (ranks_.first()) make_folder();
+  });
+  std::int64_t of_all = std::int64_t(bytes);
+  ranks_.link()->add({&of_all, 1});
+  const auto writer = begin_checkpoint(*ranks_.link(), file, std::size_t(of_all));
+  ranks_.together([&] { (void)write_(*writer); });
+  writer->commit(file);
+}
+
+void Checkpoints::make_folder() const {
   std::error_code error;
   fs::create_directory(folder_, error);
   if (error) throw CannotWrite(folder_, error.value());
-  writer->commit(folder_ / checkpoint_name(now.step));
-  const auto there = checkpoints_in(folder_);
-  for (std::size_t k = std::size_t(config_.keep); k < there.size(); ++k) fs::remove(there[k], error);
 }
 
 }  // namespace breccia

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// When a run writes checkpoints, and which are kept.
+/// When a run writes checkpoints, and which are kept. On several ranks the first decides, and all write.
 #pragma once
 
 #include <chrono>
 #include <functional>
 
 #include "archive/checkpoint_file.hpp"
+#include "run/run_ranks.hpp"
 #include "workflow/workflow.hpp"
 
 namespace breccia {
@@ -18,15 +19,15 @@ struct RunProgress {
 
 class Checkpoints {
  public:
-  /// `folder`: of the results; the files go to `checkpoints` in it. `write`: gives an archive all that the run is made
-  /// of, and returns who has no place in it. `curves`: with all their columns. AtPath when these have no strain and it
-  /// is asked for.
+  /// `folder`: of the results, on the first rank; the files go to `checkpoints` in it. `write`: gives an archive all
+  /// that the run is made of, and returns who has no place in it. `curves`: with all their columns, on the first rank.
+  /// AtPath when these have no strain and it is asked for.
   Checkpoints(const CheckpointsConfig& config, const std::filesystem::path& folder, const Curves& curves,
-              std::function<std::vector<std::string>(Archive&)> write, Host& host);
+              std::function<std::vector<std::string>(Archive&)> write, const RunRanks& ranks, Host& host);
 
-  /// Before each step: whether it is time for one. `stop`: it is the last moment.
+  /// On the first rank, before each step: whether it is time for one. `stop`: it is the last moment.
   bool due(const RunProgress& now, bool stop);
-  void write(const RunProgress& now);
+  void write(const RunProgress& now);  ///< all ranks together
   /// The test is over, or the run went on from here.
   void start_from(const RunProgress& now);
 
@@ -35,12 +36,16 @@ class Checkpoints {
   bool is_time(const RunProgress& now);
   double strain();
   void save(const RunProgress& now);
+  void save(const std::filesystem::path& file, std::size_t bytes);
+  void save_together(const std::filesystem::path& file, std::size_t bytes);
+  void make_folder() const;
   void missed(const RunProgress& now, const std::string& why);
 
   CheckpointsConfig config_;
   std::filesystem::path folder_;
   const Curves& curves_;
   std::function<std::vector<std::string>(Archive&)> write_;
+  const RunRanks& ranks_;
   Host& host_;
   Clock::time_point last_ = Clock::now();
   RunProgress from_;

@@ -3,7 +3,6 @@
 
 #include "run/load_workflow.hpp"
 #include "run/packing_cache.hpp"
-#include "run/run_ranks.hpp"
 #include "run/run_to_results.hpp"
 
 namespace breccia {
@@ -26,30 +25,14 @@ class SilentRank final : public RunMonitor {
   const Terminal& asked_;
 };
 
-ResumePoint told_resume_point(RankLink& link) {
-  const RunRanks ranks(&link);
-  ResumePoint point{ranks.told(std::string()), nullptr, {}};
-  point.checkpoint = read_checkpoint(ranks.told(std::string()));
-  (*point.checkpoint)("about", point.about);
-  link.as_first_says(true);
-  return point;
-}
-
 }  // namespace
-
-void tell_of_resume(RankLink& link, const ResumePoint& from) {
-  const RunRanks ranks(&link);
-  ranks.told(from.resolved.string());
-  ranks.told(from.checkpoint->file().string());
-  link.as_first_says(true);
-}
 
 RunOutcome run_beside(const RunRequest& a, Registry& registry, Terminal& terminal) {
   std::optional<ResumePoint> resume;
-  if (!a.resume.empty()) resume = told_resume_point(*a.link);
+  SilentRank monitor(terminal);
+  if (!a.resume.empty()) resume = find_resume_point(a.resume, monitor, a.link);
   const LoadedWorkflow loaded =
       load_workflow(resume ? resume->resolved : a.file, all_overrides(a), registry, a.variant);
-  SilentRank monitor(terminal);
   RunOptions options;
   options.packing_cache = default_cache_folder();
   options.resume = resume ? &*resume : nullptr;

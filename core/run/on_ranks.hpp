@@ -14,8 +14,4 @@ namespace breccia {
 /// workflow. `terminal` says whether the run is to stop, and how many threads there are.
 RunOutcome run_beside(const RunRequest& request, Registry& registry, Terminal& terminal);
 
-/// On the first rank, before it touches the folder: which checkpoint the run goes on from. Returns when all ranks have
-/// opened it.
-void tell_of_resume(RankLink& link, const ResumePoint& from);
-
 }  // namespace breccia

@@ -29,8 +29,9 @@ struct ResumePoint {
 
 /// The newest whole checkpoint of a results folder: of a run that came to no end there, else of the results. One that
 /// is damaged is passed over with a warning. UserError when there is none, when its workflow is another one than
-/// resolved.yaml beside it states, or when it was made with another SDK.
-ResumePoint find_resume_point(const std::filesystem::path& folder, Host& host);
+/// resolved.yaml beside it states, or when it was made with another SDK. `link`: of ranks that go on together, which
+/// all look at the files that the first has found; else null.
+ResumePoint find_resume_point(const std::filesystem::path& folder, Host& host, RankLink* link = nullptr);
 
 /// UserError when it was written by a program of another SDK.
 void refuse_other_sdk(const CheckpointAbout& about, const std::filesystem::path& file);

@@ -38,12 +38,12 @@ void OneRun::tell_of_ranks() {
     monitor_.info(fmt::format("particles changed ranks {} time{}, as work shifted", changes, changes == 1 ? "" : "s"));
   const double seconds = simulation_->seconds_gathering();
   if (const int times = simulation_->gatherings(); ranks_.several() && times > 0)
-    monitor_.info(fmt::format("the parts of the specimen were brought together {} time{} for plugins and checkpoints",
-                              times, times == 1 ? "" : "s"));
+    monitor_.info(fmt::format("the parts of the specimen were brought together {} time{} for plugins", times,
+                              times == 1 ? "" : "s"));
   else if (ranks_.several()) monitor_.info("the parts of the specimen were never brought together");
   if (ranks_.several() && seconds > 0.05 * loop_seconds_)
     monitor_.info(
-        fmt::format("bringing the specimen together for measurements, files and checkpoints took {:.1f} s, "
+        fmt::format("bringing the specimen together for measurements and files took {:.1f} s, "
                     "that is {:.0f} % of the time of all steps: sample less often",
                     seconds, 100 * seconds / loop_seconds_));
 }

@@ -21,7 +21,7 @@ void OneRun::loop() {
   else if (branch_) enter_branch();
   branch_.reset();  // with the file
   first_step_ = sim.state().step;
-  if (ranks_.first()) checkpoints_->start_from(progress());
+  checkpoints_->start_from(progress());
   try {
     for (;;) {
       const bool cancelled = stop_or_checkpoint(w_.checkpoints.at_end && loading.ends());
@@ -68,17 +68,17 @@ void OneRun::loop() {
   if (w_.curves.hdf5) attempt([&] { write_curves_hdf5(options_.folder / "curves.h5", curves_); });
 }
 
-/// Before each step: whether anybody is asked to stop, whether the first rank's checkpoint is due, for which all bring
-/// what they have, and whether a law has failed on one of them. `last`: the test is over.
+/// Before each step: whether anybody is asked to stop, whether the first rank's checkpoint is due, which all write, and
+/// whether a law has failed on one of them. `last`: the test is over.
 bool OneRun::stop_or_checkpoint(bool last) {
   double asked_due[3] = {monitor_.cancelled() ? 1.0 : 0.0, 0, laws_->has_failed() ? 1.0 : 0.0};
   if (ranks_.first()) asked_due[1] = checkpoints_->due(progress(), last || asked_due[0] > 0) ? 1 : 0;
   ranks_.largest(asked_due);
   if (asked_due[2] > 0) laws_->tell();
   const bool cancelled = asked_due[0] > 0;
-  if (cancelled || asked_due[1] > 0) simulation_->gather();
-  if (ranks_.first() && (asked_due[1] > 0 || (cancelled && checkpoints_->due(progress(), true))))
-    checkpoints_->write(progress());
+  bool due = asked_due[1] > 0;
+  if (cancelled && !due) due = ranks_.as_first_says(ranks_.first() && checkpoints_->due(progress(), true));
+  if (due) checkpoints_->write(progress());
   return cancelled;
 }
 

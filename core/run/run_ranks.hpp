@@ -51,6 +51,17 @@ class RunRanks {
   /// Whether other ranks do not end as this one does; they cannot be asked to any more.
   bool alone() const { return link_ && !link_->all_end(); }
 
+  /// A UserError of one of them fails on all. What else ends `f` on one alone ends the job: others may wait in it.
+  template <class F>
+  void together(F&& f) const {
+    std::exception_ptr failed;
+    try {
+      f();
+    } catch (const UserError&) { failed = std::current_exception(); }
+    const bool any = any_rank(link_, failed != nullptr);
+    if (failed) std::rethrow_exception(failed);
+    if (any) throw UserError(other_failed);
+  }
   /// What only the first rank may fail at ends the loop of all of them. `failure`: what has failed before.
   template <class F>
   void together(F&& f, std::string& failure) const {
@@ -61,12 +72,13 @@ class RunRanks {
     double thrown_said[2] = {failed ? 1.0 : 0.0, failure.empty() ? 0.0 : 1.0};
     largest(thrown_said);
     if (failed) std::rethrow_exception(failed);
-    constexpr const char* other = "another rank could not go on";
-    if (thrown_said[0] > 0) throw UserError(other);
-    if (thrown_said[1] > 0 && failure.empty()) failure = other;
+    if (thrown_said[0] > 0) throw UserError(other_failed);
+    if (thrown_said[1] > 0 && failure.empty()) failure = other_failed;
   }
 
  private:
+  static constexpr const char* other_failed = "another rank could not go on";
+
   template <class List>
   List told_to_all(const List& mine) const {
     if (!link_) return mine;

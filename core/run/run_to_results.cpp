@@ -53,8 +53,7 @@ std::vector<std::string> all_overrides(const RunRequest& a) {
 
 RunInFolder run_to_results(const RunRequest& a, Registry& registry, Terminal& terminal) {
   std::optional<ResumePoint> resume;
-  if (!a.resume.empty()) resume = find_resume_point(a.resume, terminal);
-  if (resume && a.link) tell_of_resume(*a.link, *resume);
+  if (!a.resume.empty()) resume = find_resume_point(a.resume, terminal, a.link);
   const LoadedWorkflow loaded =
       load_workflow(resume ? resume->resolved : a.file, all_overrides(a), registry, a.variant);
   const fs::path folder = resume ? a.resume : a.output.empty() ? fs::path("results") / loaded.workflow.name : a.output;

@@ -101,10 +101,10 @@ void OneRun::build() {
     check_time_step(*simulation_, w_.checks, monitor_);
   });
   loading_checks_.emplace(w_.checks);
-  if (!ranks_.first()) return;
   checkpoints_.emplace(
-      w_.checkpoints, options_.folder, curves_, [&](Archive& to) { return archive_run(to, parts()); }, monitor_);
-  curves_.open(options_.folder / "curves.csv");
+      w_.checkpoints, options_.folder, curves_, [&](Archive& to) { return archive_run(to, parts()); }, ranks_,
+      monitor_);
+  if (ranks_.first()) curves_.open(options_.folder / "curves.csv");
 }
 
 /// The particles stand in the simulation, each rank's share of them; what the packing says of itself stays.

@@ -5,6 +5,7 @@
     tests/bench/ranks.py --particles 100000 --ways 1x1 1x2 2x1      # ranks x threads, in turn, least of three
     tests/bench/ranks.py --particles 100000 --ways 1x1 2x1 --weak   # so many particles for each rank
     tests/bench/ranks.py --particles 10000000 --ways 2x1 --strain 2e-6 --repeats 1
+    tests/bench/ranks.py --particles 300000 --ways 2x1 --checkpoints 4  # and with one every four steps
 
 One box of spheres on a lattice is pressed between platens; rows of curves are few, so that bringing the specimen
 together does not count. Run it on a machine that does nothing else.
@@ -27,7 +28,7 @@ contact_law: {{type: elastic_brittle, bond_modulus: 10 GPa, stiffness_ratio: 3.7
   shear_strength: 40 MPa, friction: 0.5}}
 protocol: {{type: uniaxial_compression, platen_velocity: 0.1 m/s, platen_stiffness: 15 MN/m, max_strain: {strain}}}
 sampling: {{every_steps: 1000000}}
-checkpoints: {{keep: 0}}
+checkpoints: {{{checkpoints}}}
 outputs: []
 renderers: []
 """
@@ -43,8 +44,8 @@ def one_rank(folder, command):
 
 
 def run(program, workflow, folder, ranks, threads):
-    """Milliseconds a step; nanoseconds a bond and step; steps; particles; memory of the first process, and of the
-    largest other [GiB]."""
+    """Milliseconds a step; nanoseconds a bond and step; seconds in all; steps; particles; memory of the first process,
+    and of the largest other [GiB]."""
     for old in folder.parent.glob("memory_*"):
         old.unlink()
     command = [sys.executable, __file__, "--one-rank", str(folder.parent), program, "run", str(workflow),
@@ -58,7 +59,8 @@ def run(program, workflow, folder, ranks, threads):
     summary = json.loads((folder / "summary.json").read_text())
     first = memory.pop("memory_0")
     ns = summary["ns_per_bond_step"]
-    return ns * summary["bonds"] * 1e-6, ns, summary["steps"], summary["particles"], first, max(memory.values(), default=0)
+    return (ns * summary["bonds"] * 1e-6, ns, summary["wall_time_s"], summary["steps"], summary["particles"], first,
+            max(memory.values(), default=0))
 
 
 def main():
@@ -70,9 +72,11 @@ def main():
     parser.add_argument("--ways", nargs="+", default=["1x1", "1x2", "2x1"], metavar="RANKSxTHREADS")
     parser.add_argument("--weak", action="store_true", help="so many particles for each rank, in a longer box")
     parser.add_argument("--strain", default="1e-5")
+    parser.add_argument("--checkpoints", type=int, metavar="STEPS", help="one every so many steps; none unless given")
     parser.add_argument("--repeats", type=int, default=3)
     a = parser.parse_args()
     edge = (a.particles * 4 * 2**0.5) ** (1 / 3)  # of a box with so many spheres of 1 mm, packed as closely as can be
+    checkpoints = f"every_steps: {a.checkpoints}, keep: 1" if a.checkpoints else "keep: 0"
     with tempfile.TemporaryDirectory() as name:
         place = pathlib.Path(name)
         best = {}
@@ -80,12 +84,14 @@ def main():
             for way in a.ways:
                 ranks, threads = map(int, way.split("x"))
                 height = edge * (ranks if a.weak else 1)
-                (place / "w.yaml").write_text(WORKFLOW.format(edge=f"{edge:.3f}", height=f"{height:.3f}", strain=a.strain))
+                (place / "w.yaml").write_text(WORKFLOW.format(edge=f"{edge:.3f}", height=f"{height:.3f}", strain=a.strain,
+                                                              checkpoints=checkpoints))
                 found = run(a.program, place / "w.yaml", place / "results", ranks, threads)
                 best[way] = min(best.get(way, found), found)
-        print("ranks x threads | ms a step | ns a bond and step | steps | particles | GiB of the first | of the largest other")
-        for way, (ms, ns, steps, particles, first, other) in best.items():
-            print(f"{way} | {ms:.3f} | {ns:.2f} | {steps} | {particles} | {first:.2f} | {other:.2f}")
+        print("ranks x threads | ms a step | ns a bond and step | seconds in all | steps | particles | GiB of the first | "
+              "of the largest other")
+        for way, (ms, ns, seconds, steps, particles, first, other) in best.items():
+            print(f"{way} | {ms:.3f} | {ns:.2f} | {seconds:.2f} | {steps} | {particles} | {first:.2f} | {other:.2f}")
 
 
 if __name__ == "__main__":

@@ -7,6 +7,8 @@
 #include <regex>
 
 #include "cli/every_plugin.hpp"
+#include "cli/fault_support.hpp"
+#include "ranks/same_lists.hpp"
 
 namespace breccia::testing {
 namespace {
@@ -30,18 +32,20 @@ std::string larger(std::string text) {
   return text;
 }
 
+/// 8 x 8 x 14 tangent spheres in sheared layers.
+std::string many_spheres() {
+  std::ostringstream csv;
+  csv << "x,y,z,radius\n";
+  for (int k = 0; k < 14; ++k)
+    for (int j = 0; j < 8; ++j)
+      for (int i = 0; i < 8; ++i)
+        csv << 2 * i + 1 + 0.2 * ((i * 7 + j * 3 + k) % 5) << ',' << 2 * j + 1 << ',' << 2 * k + 1 << ",1\n";
+  return csv.str();
+}
+
 class Ranks : public SmallSpecimen {
  protected:
-  /// 8 x 8 x 14 tangent spheres in sheared layers.
-  void write_many_spheres() const {
-    std::ostringstream csv;
-    csv << "x,y,z,radius\n";
-    for (int k = 0; k < 14; ++k)
-      for (int j = 0; j < 8; ++j)
-        for (int i = 0; i < 8; ++i)
-          csv << 2 * i + 1 + 0.2 * ((i * 7 + j * 3 + k) % 5) << ',' << 2 * j + 1 << ',' << 2 * k + 1 << ",1\n";
-    write("small.csv", csv.str());
-  }
+  void write_many_spheres() const { write("small.csv", many_spheres()); }
 };
 
 class RanksOfEach : public Ranks, public ::testing::WithParamInterface<Case> {};
@@ -157,7 +161,7 @@ TEST_F(Ranks, NothingIsBroughtTogetherForWhoSeesParts) {
             "{type: gauges}, "
             "{type: contact_stress}, {type: elastic_constants, strain: platen_strain, lateral: "
             "gauge_lateral_strain}, {type: bond_statistics}, {type: statistics}]\nsampling: {every_steps: 20}\n"
-            "checkpoints: {keep: 0}\n");
+            "checkpoints: {every_steps: 60, keep: 100}\n");
   const Result one = call("run w.yaml --output one --threads 1");
   ASSERT_EQ(one.code, 0) << one.text;
   for (const int ranks : {2, 3}) {
@@ -165,6 +169,7 @@ TEST_F(Ranks, NothingIsBroughtTogetherForWhoSeesParts) {
     const Result many = call("run w.yaml --threads 1 --output " + folder, on(ranks));
     ASSERT_EQ(many.code, 0) << many.text;
     EXPECT_TRUE(has(many.text, "never brought together")) << many.text;
+    EXPECT_GE(checkpoints_of(folder_ / folder).size(), 2u) << "the test must write checkpoints";
     expect_same_results(folder_ / "one", folder_ / folder);
   }
   // One that does not is shown the whole, beside the others.
@@ -297,6 +302,84 @@ TEST_F(Ranks, PackingsAreTheSameHoweverManyMakeThem) {
       expect_same_results(folder_ / (name + "_one"), folder_ / (name + "_" + std::to_string(ranks)));
     }
   }
+}
+
+/// Plugins of either kind: those that see parts are asked on all ranks, those that do not on the first.
+const std::string kept = column +
+                         "postprocessors: [{type: stress}, {type: damage}, {type: energy}, {type: statistics}]\n"
+                         "sampling: {every_steps: 20}\ncheckpoints: {every_steps: 60, keep: 100, at_end: true}\n";
+
+TEST_F(Ranks, CheckpointsHoldWhatThatOfOneDoesAndAnyNumberGoesOn) {
+  write_many_spheres();
+  write("w.yaml", replaced(kept, "1 m/s", "4 m/s"));  // some bonds break
+  const Result one = call("run w.yaml --output one --threads 1");
+  ASSERT_EQ(one.code, 0) << one.text;
+  const auto of_one = checkpoints_of(folder_ / "one");
+  ASSERT_GE(of_one.size(), 3u) << one.text;
+  ASSERT_FALSE(lists_of(of_one.back()).at("engine/bonds/cracks/time").second.empty())
+      << "the test must break something";
+  for (const int ranks : {2, 3}) {
+    const std::string folder = "on_" + std::to_string(ranks);
+    const Result many = call("run w.yaml --threads 1 --output " + folder, "BRECCIA_IMBALANCE=-1 " + on(ranks));
+    ASSERT_EQ(many.code, 0) << many.text;
+    const auto written = checkpoints_of(folder_ / folder);
+    ASSERT_EQ(written.size(), of_one.size());
+    for (std::size_t k = 0; k < written.size(); ++k)
+      EXPECT_EQ(different_lists(of_one[k], written[k]), "") << written[k];
+    for (std::size_t k = 1; k < written.size(); ++k) fs::remove(written[k]);
+    for (const int further : {1, 2, 3}) {
+      const std::string again = folder + "_" + std::to_string(further);
+      fs::copy(folder_ / folder, folder_ / again, fs::copy_options::recursive);
+      const Result r = call("run --threads 1 --resume " + again, further > 1 ? on(further) : "");
+      ASSERT_EQ(r.code, 0) << r.text;
+      EXPECT_TRUE(has(r.text, "goes on from")) << r.text;
+      expect_same_results(folder_ / "one", folder_ / again);
+    }
+  }
+}
+
+TEST_F(Ranks, ADamagedCheckpointIsRefusedByAllInOneMessage) {
+  write_many_spheres();
+  write("w.yaml", kept);
+  ASSERT_EQ(call("run w.yaml --output many --threads 1", on(2)).code, 0);
+  const auto written = checkpoints_of(folder_ / "many");
+  ASSERT_GE(written.size(), 2u);
+  const auto damage = [](const fs::path& file) {
+    std::string bytes = content(file);
+    bytes[bytes.size() - 100] = char(bytes[bytes.size() - 100] ^ 1);  // where the last rank looks
+    std::ofstream(file, std::ios::binary) << bytes;
+  };
+  damage(written.back());
+  fs::copy(folder_ / "many", folder_ / "again", fs::copy_options::recursive);
+  const Result before = call("run --resume again --threads 1", on(2));
+  EXPECT_EQ(before.code, 0) << before.text;
+  EXPECT_TRUE(has(before.text, "is damaged")) << before.text;
+  EXPECT_TRUE(has(before.text, "goes on from")) << before.text;
+  for (const fs::path& file : written)
+    if (file != written.back()) damage(file);
+  const Result none = call("run --resume many --threads 1", on(3));
+  EXPECT_EQ(none.code, 2) << none.text;
+  const std::string said = "no usable checkpoint";
+  const std::size_t at = none.text.find(said);
+  ASSERT_NE(at, std::string::npos) << none.text;
+  EXPECT_EQ(none.text.find(said, at + 1), std::string::npos) << none.text;
+  EXPECT_FALSE(has(none.text, "MPI_ABORT")) << none.text;
+}
+
+class RanksOnASmallDisk : public FaultyPrograms {};
+
+TEST_F(RanksOnASmallDisk, AFullOneCostsTheCheckpointOnly) {
+  if (!is_on_a_small_disk(600 << 10)) GTEST_SKIP() << "no file system can be mounted here";
+  write("small.csv", many_spheres());
+  write("w.yaml", kept);
+  const Result full = call("run w.yaml --output full --threads 1", on(2));
+  EXPECT_EQ(full.code, 0) << full.text;
+  const std::string said = "no checkpoint at step 60: cannot write";
+  const std::size_t at = full.text.find(said);
+  ASSERT_NE(at, std::string::npos) << full.text;
+  EXPECT_EQ(full.text.find("no checkpoint at", at + 1), std::string::npos) << full.text;
+  EXPECT_EQ(torsos(folder_ / "full"), "");
+  EXPECT_TRUE(checkpoints_of(folder_ / "full").empty());
 }
 
 /// Of frames in pieces the readers make what one file holds.

@@ -8,6 +8,7 @@
 #include <functional>
 #include <thread>
 
+#include "archive/memory_archive.hpp"
 #include "breccia/error.hpp"
 #include "engine/rank_link.hpp"
 
@@ -80,6 +81,7 @@ class ThreadLink final : public RankLink {
     job_.all.arrive_and_wait();
   }
   void end_forward(void*, std::size_t) override {}
+  std::unique_ptr<SharedFile> shared_file(const std::string&, std::size_t) override { return {}; }
   bool all_end() override { return true; }
   void abort(int) override { std::terminate(); }
 
@@ -97,6 +99,35 @@ class ThreadLink final : public RankLink {
   int rank_;
   double tolerated_;
   Copies copies_;
+};
+
+/// What the ranks write together, on the first; each has one.
+class SharedMemoryArchive final : public MemoryArchive {
+ public:
+  explicit SharedMemoryArchive(RankLink* link) : link_(link) {}
+
+ private:
+  void write(const std::string& path, archived::Element element, const void* data, std::size_t rows,
+             std::size_t columns, std::size_t stride) override {
+    if (!link_ || !share()) return MemoryArchive::write(path, element, data, rows, columns, stride);
+    const ListShare own = *share();
+    const auto counts = link_->numbers_of_all(rows);
+    std::size_t before = 0, all = 0;
+    for (int r = 0; r < link_->ranks(); ++r) {
+      if (r < link_->rank()) before += counts[std::size_t(r)];
+      all += counts[std::size_t(r)];
+    }
+    if (own.rows != rows || own.total != all || (rows > 0 && own.first != before))
+      refuse(path, "the shares are not the whole");
+    const std::size_t row = columns * size_of(element);
+    std::vector<std::byte> packed(rows * row), whole(link_->first() ? all * row : 0);
+    for (std::size_t k = 0; k < rows && row > 0; ++k)
+      std::memcpy(packed.data() + k * row, static_cast<const char*>(data) + k * stride, row);
+    link_->gather(packed.data(), counts, row, whole.data(), false);
+    if (link_->first()) MemoryArchive::write(path, element, whole.data(), all, columns, row);
+  }
+
+  RankLink* link_;
 };
 
 /// Calls `work(link)` on each of the ranks; with one, with null.

@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include "archive/checkpoint_file.hpp"
+#include "breccia/atomic_file.hpp"
+#include "breccia/text_file.hpp"
 
 namespace breccia {
 namespace {
@@ -60,6 +62,46 @@ TEST(CheckpointContents, ANameThatIsThereTwiceIsRefusedAndTheNextCheckpointIsMad
   EXPECT_EQ(second("a/b", "a", x).substr(0, twice.size()), twice);
   EXPECT_EQ(second("a/b", "a/c", x), "");
   EXPECT_EQ(second("a", "b", list), "");
+}
+
+/// A checkpoint of two blocks, in a file of its own.
+class CheckpointFile : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto writer = begin_checkpoint();
+    std::vector<double> list(200000, 0.5);
+    (*writer)("list", list);
+    writer->commit(file_);
+  }
+  void TearDown() override { std::filesystem::remove(file_); }
+  const std::filesystem::path file_ =
+      std::filesystem::temp_directory_path() / ("checkpoint_file_" + std::to_string(getpid()) + ".h5");
+};
+
+TEST_F(CheckpointFile, OfAnEarlierFormatIsRefused) {
+  std::string bytes = read_bytes(file_);
+  const std::string now = "breccia checkpoint 2";
+  ASSERT_TRUE(bytes.starts_with(now + "\n"));
+  bytes[now.size() - 1] = '1';
+  write_file(file_, bytes);
+  try {
+    read_checkpoint(file_);
+    FAIL();
+  } catch (const UserError& e) {
+    EXPECT_NE(std::string(e.what()).find("has the format `breccia checkpoint 1`, this program reads `" + now + "`"),
+              std::string::npos)
+        << e.what();
+  }
+}
+
+TEST_F(CheckpointFile, ItsDigestIsWhatTheDocumentationSays) {
+  const std::string command = "tail -c +513 '" + file_.string() +
+                              "' | split -b 1M --filter=sha256sum | cut -c-64 | tr -d '\\n' | sha256sum | cut -c-64";
+  FILE* const out = popen(command.c_str(), "r");
+  char digest[65] = {};
+  ASSERT_EQ(fread(digest, 1, 64, out), 64u);
+  pclose(out);
+  EXPECT_NE(read_bytes(file_).find(std::string("\nsha256 of blocks ") + digest + "\n"), std::string::npos) << digest;
 }
 
 TEST(CheckpointContents, RecordsAreAsManyAsTheirMembers) {
