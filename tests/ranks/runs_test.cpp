@@ -255,7 +255,9 @@ TEST_F(Ranks, WhatFailsOnOneEndsAll) {
       std::set<std::string> files;
       if (fs::exists(folder_ / "out"))
         for (const auto& entry : fs::recursive_directory_iterator(folder_ / "out"))
-          if (entry.path().filename().string()[0] != '.') files.insert(entry.path().filename().string());
+          if (const std::string name = entry.path().filename().string();
+              name[0] != '.' && name != "tables" && name != "dials.csv")  // of a first rank that had summed up before
+            files.insert(name);
       fs::remove_all(folder_ / "out");
       return std::tuple(r.code, times, files);
     };
