@@ -7,9 +7,9 @@
 
 #include "breccia/error.hpp"
 #include "breccia/images.hpp"
+#include "breccia/result_tools/order_statistics.hpp"
 #include "engine/cell_motion.hpp"
 #include "engine/exact_sum.hpp"
-#include "breccia/result_tools/order_statistics.hpp"
 #include "engine/parts.hpp"
 
 namespace breccia {
