@@ -256,11 +256,13 @@ TEST_F(Ranks, WhatFailsOnOneEndsAll) {
       const Result r = call("run w.yaml --output out --overwrite --threads 1", prefix);
       std::size_t times = 0;
       for (std::size_t at = r.text.find(text); at != r.text.npos; at = r.text.find(text, at + 1)) ++times;
-      EXPECT_FALSE(has(r.text, "MPI_ABORT") || has(r.text, "terminate")) << r.text;
+      EXPECT_FALSE(has(r.text, "MPI_ABORT") || has(r.text, "terminate called")) << r.text;
       std::set<std::string> files;
       if (fs::exists(folder_ / "out"))
         for (const auto& entry : fs::recursive_directory_iterator(folder_ / "out"))
-          if (entry.path().filename().string()[0] != '.') files.insert(entry.path().filename().string());
+          if (const std::string name = entry.path().filename().string();
+              name[0] != '.' && name != "tables" && name != "dials.csv")  // of a first rank that had summed up before
+            files.insert(name);
       fs::remove_all(folder_ / "out");
       return std::tuple(r.code, times, files);
     };

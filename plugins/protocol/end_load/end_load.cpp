@@ -211,7 +211,7 @@ class EndLoad final : public Protocol {
   }
   /// In the order of the columns.
   std::vector<double> values(const SimulationView& view, const std::vector<Motion>& of) const {
-    const std::vector<Reaction> reactions = this->reactions(view, of);
+    const std::vector<Reaction> by_hands = reactions(view, of);
     std::vector<double> all;
     const auto add = [&](const Vec3& v, bool turns) {
       for (int c = 0; c < 3; ++c)
@@ -221,8 +221,8 @@ class EndLoad final : public Protocol {
       add(of[k].displacement, false);
       add(s_.rotation[k], true);
       if (k >= supports_.size()) continue;
-      add(reactions[k].force, false);
-      add(reactions[k].moment, true);
+      add(by_hands[k].force, false);
+      add(by_hands[k].moment, true);
     }
     return all;
   }
