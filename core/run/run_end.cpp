@@ -39,9 +39,8 @@ void OneRun::tell_of_ranks() {
     monitor_.info(fmt::format("particles changed ranks {} time{}, as work shifted", changes, changes == 1 ? "" : "s"));
   const double seconds = simulation_->seconds_gathering();
   if (ranks_.several())
-    monitor_.info(
-        fmt::format("the parts of the specimen were brought together {} time{} for checks and plugins",
-                    simulation_->gatherings(), simulation_->gatherings() == 1 ? "" : "s"));
+    monitor_.info(fmt::format("the parts of the specimen were brought together {} time{} for checks and plugins",
+                              simulation_->gatherings(), simulation_->gatherings() == 1 ? "" : "s"));
   if (ranks_.several() && seconds > 0.05 * loop_seconds_)
     monitor_.info(
         fmt::format("bringing the specimen together for measurements and files took {:.1f} s, "

@@ -201,7 +201,7 @@ TEST_F(Ranks, CheckpointsHoldWhatThatOfOneDoesAndAnyNumberGoesOn) {
     const auto written = checkpoints_of(folder_ / folder);
     ASSERT_EQ(written.size(), of_one.size());
     for (std::size_t k = 0; k < written.size(); ++k)
-      EXPECT_EQ(different_lists(of_one[k], written[k]), "") << written[k];
+      EXPECT_EQ(different_lists(of_one[k], written[k], "protocol/running"), "") << written[k];
     for (std::size_t k = 1; k < written.size(); ++k) fs::remove(written[k]);
     for (const int further : {1, 2, 3}) {
       const std::string again = folder + "_" + std::to_string(further);
@@ -255,7 +255,8 @@ TEST_F(RanksOnASmallDisk, AFullOneCostsTheCheckpointOnly) {
   ASSERT_NE(at, std::string::npos) << full.text;
   EXPECT_EQ(full.text.find("no checkpoint at", at + 1), std::string::npos) << full.text;
   EXPECT_EQ(torsos(folder_ / "full"), "");
-  EXPECT_TRUE(checkpoints_of(folder_ / "full").empty());
+  for (const auto& entry : fs::recursive_directory_iterator(folder_ / "full"))
+    EXPECT_FALSE(has(entry.path().filename().string(), ".h5")) << entry.path();
 }
 
 /// Of frames in pieces the readers make what one file holds.
