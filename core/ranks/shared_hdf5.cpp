@@ -27,23 +27,36 @@ class SharedHdf5 final : public SharedFile {
     if (file_ >= 0 && !has_failed) H5Fclose(file_);
   }
 
-  void group(const std::string& path) override { agree(make_group(file_, path), path); }
+  void group(const std::string& path) override {  // which may have come with a list in it
+    agree(H5Lexists(file_, path.c_str(), H5P_DEFAULT) > 0 || make_group(file_, path), path);
+  }
   void list(const std::string& path, archived::Element element, std::size_t columns, const ListShare& share,
             const void* rows) override {
     const Handle set(made_list(file_, path, element, share.total, columns), H5Dclose);
-    agree(set >= 0, path);
     const Hdf5Type type = hdf5_type_of(element);
     const std::size_t row = columns * type.size, at_once = std::max<std::size_t>(1, most_bytes / row);
-    unsigned long most = share.rows;
-    MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_UNSIGNED_LONG, MPI_MAX, comm_);
+    int rank = 0, ranks = 1;
+    MPI_Comm_rank(comm_, &rank);
+    MPI_Comm_size(comm_, &ranks);
+    // The largest of all: failed, rows, number of a rank that has some, and the same the other way round.
+    long most[4] = {set < 0, long(share.rows), share.rows ? rank : -1, share.rows ? -rank : -ranks};
+    MPI_Allreduce(MPI_IN_PLACE, most, 4, MPI_LONG, MPI_MAX, comm_);
+    agree(most[0] == 0, path, false);
     const Handle how(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
-    H5Pset_dxpl_mpio(how, H5FD_MPIO_COLLECTIVE);
-    for (std::size_t done = 0; done < most; done += at_once) {
-      const std::size_t now = std::min(at_once, share.rows - std::min(done, share.rows));
-      agree(put(set, how, type, columns, share.first + done, now, static_cast<const char*>(rows) + done * row), path);
+    if (most[2] == -most[3]) {  // of one rank alone, as most of them are: nobody waits for it
+      if (share.rows) well_ = well_ && put(set, how, type, columns, share.first, share.rows, rows);
+      return;
     }
+    H5Pset_dxpl_mpio(how, H5FD_MPIO_COLLECTIVE);
+    for (std::size_t done = 0; done < std::size_t(most[1]); done += at_once) {
+      const std::size_t now = std::min(at_once, share.rows - std::min(done, share.rows));
+      well_ =
+          put(set, how, type, columns, share.first + done, now, static_cast<const char*>(rows) + done * row) && well_;
+    }
+    agree(well_, path);
   }
   void close() override {
+    agree(well_, "/");
     const bool flushed = H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0;
     agree(flushed, "/");
     const bool closed = H5Fclose(file_) >= 0;
@@ -72,10 +85,10 @@ class SharedHdf5 final : public SharedFile {
     static const char nothing = 0;
     return H5Dwrite(set, type.memory, here, there, how, rows == 0 ? &nothing : data) >= 0;
   }
-  /// What fails on one fails on all.
-  void agree(bool well, const std::string& path) const {
+  /// What fails on one fails on all; `ask`: they do not know of each other yet.
+  void agree(bool well, const std::string& path, bool ask = true) const {
     int all = well;
-    MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPI_INT, MPI_MIN, comm_);
+    if (ask) MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPI_INT, MPI_MIN, comm_);
     if (all) return;
     has_failed = true;
     throw UserError("no checkpoint can be made: " + path + ": HDF5 cannot write it to " + path_);
@@ -84,6 +97,7 @@ class SharedHdf5 final : public SharedFile {
   std::string path_;
   MPI_Comm comm_;
   hid_t file_ = -1;
+  bool well_ = true;                      ///< what was written here without asking the others
   static inline bool has_failed = false;  ///< what it then leaves of a file cannot be closed: not to be gone on with
 };
 

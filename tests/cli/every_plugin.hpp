@@ -6,11 +6,9 @@
 #include <map>
 #include <set>
 
-#include "small_specimen.hpp"
+#include "fault_support.hpp"
 
 namespace breccia::testing {
-
-inline bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// Contents of all files that a test's results are made of; of the summary what does not tell of the computer.
 inline std::map<std::string, std::string> results_of(const fs::path& folder) {

@@ -317,7 +317,7 @@ TEST_F(Ranks, CheckpointsHoldWhatThatOfOneDoesAndAnyNumberGoesOn) {
   const Result one = call("run w.yaml --output one --threads 1");
   ASSERT_EQ(one.code, 0) << one.text;
   const auto of_one = checkpoints_of(folder_ / "one");
-  ASSERT_GE(of_one.size(), 3u) << one.text;
+  ASSERT_GE(of_one.size(), 2u) << one.text;
   ASSERT_FALSE(lists_of(of_one.back()).at("engine/bonds/cracks/time").second.empty())
       << "the test must break something";
   for (const int ranks : {2, 3}) {
@@ -327,7 +327,7 @@ TEST_F(Ranks, CheckpointsHoldWhatThatOfOneDoesAndAnyNumberGoesOn) {
     const auto written = checkpoints_of(folder_ / folder);
     ASSERT_EQ(written.size(), of_one.size());
     for (std::size_t k = 0; k < written.size(); ++k)
-      EXPECT_EQ(different_lists(of_one[k], written[k]), "") << written[k];
+      EXPECT_EQ(different_lists(of_one[k], written[k], "protocol/running"), "") << written[k];
     for (std::size_t k = 1; k < written.size(); ++k) fs::remove(written[k]);
     for (const int further : {1, 2, 3}) {
       const std::string again = folder + "_" + std::to_string(further);
@@ -381,7 +381,8 @@ TEST_F(RanksOnASmallDisk, AFullOneCostsTheCheckpointOnly) {
   ASSERT_NE(at, std::string::npos) << full.text;
   EXPECT_EQ(full.text.find("no checkpoint at", at + 1), std::string::npos) << full.text;
   EXPECT_EQ(torsos(folder_ / "full"), "");
-  EXPECT_TRUE(checkpoints_of(folder_ / "full").empty());
+  for (const auto& entry : fs::recursive_directory_iterator(folder_ / "full"))
+    EXPECT_FALSE(has(entry.path().filename().string(), ".h5")) << entry.path();
 }
 
 /// Of frames in pieces the readers make what one file holds.

@@ -38,9 +38,12 @@ inline Lists lists_of(const std::filesystem::path& file) {
   return all;
 }
 
-/// The names under which they are not the same.
-inline std::string different_lists(const std::filesystem::path& file, const std::filesystem::path& other) {
-  const Lists a = lists_of(file), b = lists_of(other);
+/// The names under which they are not the same; `but`: one that is the copy of a structure, whose holes hold anything.
+inline std::string different_lists(const std::filesystem::path& file, const std::filesystem::path& other,
+                                   const std::string& but) {
+  Lists a = lists_of(file), b = lists_of(other);
+  a.at(but).second.clear();
+  b.at(but).second.clear();
   std::string different;
   for (const auto* both : {&a, &b})
     for (const auto& [name, list] : *both)
