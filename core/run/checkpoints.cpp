@@ -96,6 +96,16 @@ void Checkpoints::save(const RunProgress& now) {
   std::error_code error;
   const auto there = checkpoints_in(folder_);
   for (std::size_t k = std::size_t(config_.keep); k < there.size(); ++k) fs::remove(there[k], error);
+  remove_what_never_arrived();
+}
+
+/// Of a process that was killed while it wrote one.
+void Checkpoints::remove_what_never_arrived() const {
+  std::vector<fs::path> left;
+  std::error_code error;
+  for (fs::directory_iterator at(folder_, error), end; !error && at != end; at.increment(error))
+    if (at->path().extension() == ".arriving") left.push_back(at->path());
+  for (const fs::path& file : left) fs::remove(file, error);
 }
 
 void Checkpoints::save(const fs::path& file, std::size_t bytes) {

@@ -36,6 +36,7 @@ class Checkpoints {
   bool is_time(const RunProgress& now);
   double strain();
   void save(const RunProgress& now);
+  void remove_what_never_arrived() const;
   void save(const std::filesystem::path& file, std::size_t bytes);
   void save_together(const std::filesystem::path& file, std::size_t bytes);
   void make_folder() const;

@@ -486,15 +486,18 @@ TEST_F(Ranks, OneThatIsKilledEndsTheJobAndAnotherNumberGoesOn) {
   // Each rank is behind a shell that knows its number: the second kills itself once there is a checkpoint.
   write("killed.sh",
         "#!/bin/sh\n\"$@\" &\nchild=$!\nif [ \"$OMPI_COMM_WORLD_RANK\" = 1 ]; then\n"
-        "  until ls many/checkpoints many/unfinished/checkpoints 2>/dev/null | grep -q h5; do sleep 0.02; done\n"
+        "  until ls many/checkpoints many/unfinished/checkpoints 2>/dev/null | grep -q 'h5$'; do sleep 0.02; done\n"
         "  kill -9 $child\nfi\nwait $child\n");
   fs::permissions(folder_ / "killed.sh", fs::perms::owner_all);
   const Result killed = call("run w.yaml --output many --threads 1", on(3) + " ./killed.sh");
   EXPECT_NE(killed.code, 0) << "it came to its end before it was killed";
   EXPECT_TRUE(has(killed.text, "exited") || has(killed.text, "abort")) << killed.text;
+  for (const std::string at : {"many/checkpoints", "many/unfinished/checkpoints"})
+    if (fs::exists(folder_ / at)) write(at + "/step_000000000007.h5.arriving", "what a killed process leaves");
   const Result further = call("run --resume many --threads 1", on(2));
   ASSERT_EQ(further.code, 0) << further.text;
   expect_same_results(folder_ / "one", folder_ / "many");
+  EXPECT_FALSE(fs::exists(folder_ / "many/checkpoints/step_000000000007.h5.arriving"));
 }
 
 }  // namespace
