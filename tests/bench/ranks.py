@@ -4,7 +4,7 @@
 
     tests/bench/ranks.py --particles 100000 --ways 1x1 1x2 2x1      # ranks x threads, in turn, least of three
     tests/bench/ranks.py --particles 100000 --ways 1x1 2x1 --weak   # so many particles for each rank
-    tests/bench/ranks.py --particles 10000000 --ways 2x1 --strain 2e-6 --repeats 1
+    tests/bench/ranks.py --particles 10000000 --lattice sc --ways 2x1 --strain 2e-6 --repeats 1
     tests/bench/ranks.py --particles 300000 --ways 2x1 --checkpoints 4  # and with one every four steps
 
 One box of spheres on a lattice is pressed between platens; rows of curves are few, so that bringing the specimen
@@ -20,7 +20,7 @@ import sys
 import tempfile
 
 WORKFLOW = """packing:
-  {{type: regular, lattice: fcc, container: {{shape: box, size: [{edge} mm, {edge} mm, {height} mm]}}, radius: 1 mm}}
+  {{type: regular, lattice: {lattice}, container: {{shape: box, size: [{edge} mm, {edge} mm, {height} mm]}}, radius: 1 mm}}
 material: {{density: 2650 kg/m3}}
 bonding: {{tolerance: 0.01}}
 damping: {{translational: 0.3, rotational: 0.3}}
@@ -70,12 +70,13 @@ def main():
     parser.add_argument("--program", default="build/bin/breccia")
     parser.add_argument("--particles", type=float, default=1e5)
     parser.add_argument("--ways", nargs="+", default=["1x1", "1x2", "2x1"], metavar="RANKSxTHREADS")
+    parser.add_argument("--lattice", choices=("fcc", "sc"), default="fcc", help="with twelve or six neighbours")
     parser.add_argument("--weak", action="store_true", help="so many particles for each rank, in a longer box")
     parser.add_argument("--strain", default="1e-5")
     parser.add_argument("--checkpoints", type=int, metavar="STEPS", help="one every so many steps; none unless given")
     parser.add_argument("--repeats", type=int, default=3)
     a = parser.parse_args()
-    edge = (a.particles * 4 * 2**0.5) ** (1 / 3)  # of a box with so many spheres of 1 mm, packed as closely as can be
+    edge = (a.particles * (8 if a.lattice == "sc" else 4 * 2**0.5)) ** (1 / 3)  # of a box with so many spheres of 1 mm
     checkpoints = f"every_steps: {a.checkpoints}, keep: 1" if a.checkpoints else "keep: 0"
     with tempfile.TemporaryDirectory() as name:
         place = pathlib.Path(name)
@@ -84,8 +85,8 @@ def main():
             for way in a.ways:
                 ranks, threads = map(int, way.split("x"))
                 height = edge * (ranks if a.weak else 1)
-                (place / "w.yaml").write_text(WORKFLOW.format(edge=f"{edge:.3f}", height=f"{height:.3f}", strain=a.strain,
-                                                              checkpoints=checkpoints))
+                (place / "w.yaml").write_text(WORKFLOW.format(
+                    lattice=a.lattice, edge=f"{edge:.3f}", height=f"{height:.3f}", strain=a.strain, checkpoints=checkpoints))
                 found = run(a.program, place / "w.yaml", place / "results", ranks, threads)
                 best[way] = min(best.get(way, found), found)
         print("ranks x threads | ms a step | ns a bond and step | seconds in all | steps | particles | GiB of the first | "
