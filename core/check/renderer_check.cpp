@@ -96,7 +96,8 @@ class RendererCheck {
       if (!fs::is_regular_file(file) || fs::file_size(file) == 0 ||
           file.lexically_relative(into).string().starts_with(".."))
         fault = "`" + file.filename().string() + "` is not a whole file in the folder of the pictures";
-    for (const auto& [name, bytes] : files_in(into)) {
+    for (const auto& file : files_in(into)) {
+      const std::string& name = file.first;
       const bool told =
           std::any_of(made.begin(), made.end(), [&](const fs::path& f) { return f.lexically_relative(into) == name; });
       if (!told) fault = "`" + name + "` is left, and is not among the pictures";
