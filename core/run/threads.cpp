@@ -12,9 +12,9 @@
 namespace breccia {
 
 void refuse_without_threads(int threads) {
-  std::vector<std::jthread> others;
+  std::latch all(threads);           // none ends before all are there
+  std::vector<std::jthread> others;  // joined before what they wait at is gone
   others.reserve(std::size_t(threads));
-  std::latch all(threads);  // none ends before all are there
   try {
     while (int(others.size()) + 1 < threads) others.emplace_back([&] { all.arrive_and_wait(); });
   } catch (const std::exception&) {

@@ -4,7 +4,7 @@
 
     tests/bench/ranks.py --particles 100000 --ways 1x1 1x2 2x1      # ranks x threads, in turn, least of three
     tests/bench/ranks.py --particles 100000 --ways 1x1 2x1 --weak   # so many particles for each rank
-    tests/bench/ranks.py --particles 10000000 --lattice sc --ways 2x1 --strain 2e-6 --repeats 1
+    tests/bench/ranks.py --particles 10000000 --lattice sc --ways 2x1 --strain 6e-5 --repeats 1
     tests/bench/ranks.py --particles 300000 --ways 2x1 --checkpoints 4  # and with one every four steps
 
 One box of spheres on a lattice is pressed between platens; rows of curves are few, so that bringing the specimen
