@@ -4,7 +4,7 @@
 
     tests/bench/ranks.py --particles 100000 --ways 1x1 1x2 2x1      # ranks x threads, in turn, least of three
     tests/bench/ranks.py --particles 100000 --ways 1x1 2x1 --weak   # so many particles for each rank
-    tests/bench/ranks.py --particles 10000000 --lattice sc --ways 2x1 --strain 6e-5 --repeats 1
+    tests/bench/ranks.py --particles 10000000 --lattice sc --ways 2x1 --strain 3e-5 --repeats 1
     tests/bench/ranks.py --particles 300000 --ways 2x1 --checkpoints 4  # and with one every four steps
 
 One box of spheres on a lattice is pressed between platens; rows of curves are few, so that bringing the specimen
@@ -26,7 +26,8 @@ bonding: {{tolerance: 0.01}}
 damping: {{translational: 0.3, rotational: 0.3}}
 contact_law: {{type: elastic_brittle, bond_modulus: 10 GPa, stiffness_ratio: 3.7, tensile_strength: 40 MPa,
   shear_strength: 40 MPa, friction: 0.5}}
-protocol: {{type: uniaxial_compression, platen_velocity: 0.1 m/s, platen_stiffness: 15 MN/m, max_strain: {strain}}}
+protocol: {{type: uniaxial_compression, platen_velocity: 0.1 m/s, platen_stiffness: 15 MN/m, seating_stress: 0 Pa,
+  max_strain: {strain}}}
 sampling: {{every_steps: 1000000}}
 checkpoints: {{{checkpoints}}}
 outputs: []
