@@ -311,13 +311,7 @@ class PackingCheck {
                           });
                         }).text;
     if (fault.empty()) {
-      PackedParticles joined = shares[0];
-      const auto append = [](auto& to, const auto& more) { to.insert(to.end(), more.begin(), more.end()); };
-      append(joined.position, shares[1].position);
-      append(joined.radius, shares[1].radius);
-      for (std::size_t c = 0; c < std::min(joined.columns.size(), shares[1].columns.size()); ++c)
-        append(joined.columns[c].second, shares[1].columns[c].second);
-      if (!same_packing(packed, joined)) fault = "joined they are another packing";
+      if (!same_packing(packed, joined(shares[0], shares[1]))) fault = "joined they are another packing";
       for (const PackedParticles& share : shares)
         if (!same_report(packed, share)) fault = "a share has another report, outline, axis, volume or period";
     }

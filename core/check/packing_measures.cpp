@@ -95,6 +95,15 @@ bool same_packing(const PackedParticles& a, const PackedParticles& b) {
   return same_bytes(a.radius, b.radius) && same_bytes(a.position, b.position) && a.columns == b.columns;
 }
 
+PackedParticles joined(PackedParticles first, const PackedParticles& second) {
+  const auto append = [](auto& to, const auto& more) { to.insert(to.end(), more.begin(), more.end()); };
+  append(first.position, second.position);
+  append(first.radius, second.radius);
+  for (std::size_t c = 0; c < std::min(first.columns.size(), second.columns.size()); ++c)
+    append(first.columns[c].second, second.columns[c].second);
+  return first;
+}
+
 bool same_report(const PackedParticles& a, const PackedParticles& b) {
   const auto same = [](const AskedGot& x, const AskedGot& y) {
     return x.name == y.name && x.unit == y.unit && x.asked == y.asked && x.got == y.got;

@@ -28,6 +28,8 @@ PackingMeasures measure_packing(const PackedParticles& packed, const PackingRequ
 std::optional<double> measured_as(const std::string& name, const PackedParticles& packed, const PackingMeasures& m);
 
 bool same_packing(const PackedParticles& a, const PackedParticles& b);  ///< bit by bit
-bool same_report(const PackedParticles& a, const PackedParticles& b);   ///< and what else is no list
+/// The particles of both, one behind the other.
+PackedParticles joined(PackedParticles first, const PackedParticles& second);
+bool same_report(const PackedParticles& a, const PackedParticles& b);  ///< and what else is no list
 
 }  // namespace breccia

@@ -46,13 +46,22 @@ ParticlesView Simulation::particles() const {
   return view_of(*seen_);
 }
 
-SimulationView Simulation::particles_here() const {
+namespace {
+
+SimulationView at_this_time(const State& s) {
   SimulationView v;
-  static_cast<Space&>(v) = state_;
-  v.initial_cell = state_.reference_cell;
-  v.time = state_.time;
-  v.time_step = state_.time_step;
-  v.step = state_.step;
+  static_cast<Space&>(v) = s;
+  v.initial_cell = s.reference_cell;
+  v.time = s.time;
+  v.time_step = s.time_step;
+  v.step = s.step;
+  return v;
+}
+
+}  // namespace
+
+SimulationView Simulation::particles_here() const {
+  SimulationView v = at_this_time(state_);
   v.particles = view_of(state_.particles);
   v.materials = state_.materials;
   v.specimen = state_.specimen;
@@ -62,12 +71,7 @@ SimulationView Simulation::particles_here() const {
 }
 
 SimulationView Simulation::show(const State& s, Shown& shown) {
-  SimulationView v;
-  static_cast<Space&>(v) = s;
-  v.initial_cell = s.reference_cell;
-  v.time = s.time;
-  v.time_step = s.time_step;
-  v.step = s.step;
+  SimulationView v = at_this_time(s);
   const Particles& p = s.particles;
   v.particles = view_of(p);
   v.particles.boundary_moment = shown.boundary_moment = boundary_moments(p);

@@ -3,6 +3,7 @@
 
 #include "engine/meeting_parts.hpp"
 #include "engine/migration.hpp"
+#include "engine/shared_lists.hpp"
 #include "run/run_ranks.hpp"
 
 namespace breccia {
@@ -44,14 +45,16 @@ void tell_shape(PackedParticles& p, const RunRanks& ranks) {
 void deal_out(PackingOutcome& packing, std::vector<std::uint8_t>& material, RankLink& link) {
   PackedParticles& p = packing.particles;
   const std::size_t n = packing.count, ranks = std::size_t(link.ranks());
-  const auto first_of = [&](std::size_t rank) { return n / ranks * rank + n % ranks * rank / ranks; };
+  const Slabs slabs(n, link.ranks());
   const std::size_t most = n / ranks + 1, at_once = std::max<std::size_t>(1, (std::size_t(1) << 20) / ranks);
   std::vector<Dealt> own;
   for (std::size_t begin = 0; begin < most; begin += at_once) {
     std::vector<std::vector<Dealt>> to(ranks);
     for (std::size_t r = 0; link.first() && r < ranks; ++r)
-      for (std::size_t k = first_of(r) + begin; k < std::min(first_of(r) + begin + at_once, first_of(r + 1)); ++k)
-        to[r].push_back({p.position[k], p.radius[k], material.empty() ? std::uint8_t(0) : material[k]});
+      for (std::size_t k = begin; k < std::min(begin + at_once, slabs.rows(int(r))); ++k) {
+        const std::size_t of = slabs.first(int(r)) + k;
+        to[r].push_back({p.position[of], p.radius[of], material.empty() ? std::uint8_t(0) : material[of]});
+      }
     const std::vector<Dealt> some = sent(link, to);
     own.insert(own.end(), some.begin(), some.end());
   }
